@@ -1,0 +1,98 @@
+//! The perspective camera.
+
+use crate::error::Invalid;
+use crate::ray::Ray;
+use crate::real::{Real, Scalar};
+use crate::vector::Vector;
+
+/// How a camera stands: everything about it that a person chooses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View<S: Scalar> {
+    /// Where the camera is.
+    pub position: S::Vector,
+    /// A point at the middle of the picture.
+    pub look_at: S::Vector,
+    /// A direction that is up in the picture; any that is not parallel to the view.
+    pub up: S::Vector,
+    /// The vertical field of view in degrees, between 0 and 180.
+    pub fov: S,
+}
+
+/// A pinhole camera with its viewport at distance 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PerspectiveCamera<S: Scalar> {
+    position: S::Vector,
+    /// From the camera to the viewport's top left corner.
+    top_left: S::Vector,
+    /// The viewport's upper edge, left to right.
+    width: S::Vector,
+    /// The viewport's left edge, bottom to top.
+    height: S::Vector,
+}
+
+impl<S: Scalar> PerspectiveCamera<S> {
+    /// The camera of a view, for pictures of the given aspect (width / height).
+    ///
+    /// With the lab's view (from (0, 0, -2) along +z) the right of the picture is -x of the world.
+    ///
+    /// # Errors
+    /// If a vector is not finite, the view has no direction, `up` is parallel to it, the field of
+    /// view is not between 0 and 180 degrees, or the aspect is not finite and greater than 0.
+    pub fn new(view: &View<S>, aspect: S) -> Result<Self, Invalid> {
+        let position = Invalid::unless_finite::<S>("camera position", view.position)?;
+        let look_at = Invalid::unless_finite::<S>("camera look_at", view.look_at)?;
+        let up = Invalid::unless_finite::<S>("camera up", view.up)?;
+        let open = view.fov.to_f64() > 0.0 && view.fov.to_f64() < 180.0;
+        let fov = Invalid::unless(open, "camera fov", view.fov, "between 0 and 180 degrees")?;
+        let valid = aspect.is_finite() && aspect.to_f64() > 0.0;
+        let aspect = Invalid::unless(valid, "aspect", aspect, "finite and greater than 0")?;
+
+        let backward = (position - look_at).normalized();
+        let has_direction = backward.to_array().into_iter().all(Scalar::is_finite);
+        let must_be = "another point than the camera's position";
+        Invalid::unless_vector::<S>(has_direction, "camera look_at", look_at, must_be)?;
+        let right = up.cross(backward).normalized();
+        let upright = right.to_array().into_iter().all(Scalar::is_finite);
+        let must_be = "a direction that is not parallel to the view";
+        Invalid::unless_vector::<S>(upright, "camera up", up, must_be)?;
+
+        let viewport_height = S::tan_half(fov) * S::from_f64(2.0);
+        let width = right * (viewport_height * aspect);
+        let height = backward.cross(right) * viewport_height;
+        let half = S::from_f64(0.5);
+        let top_left = height * half - width * half - backward;
+        Ok(Self {
+            position,
+            top_left,
+            width,
+            height,
+        })
+    }
+
+    /// The ray through the point of the viewport at `sx` from its left edge and `sy` from its upper
+    /// one, both from 0 to 1. Its direction is a unit vector.
+    #[inline(always)]
+    pub fn ray<R: Real<Scalar = S>>(&self, sx: R, sy: R) -> Ray<R> {
+        let token = sx.token();
+        let across = R::Vector::splat(token, self.width) * sx;
+        let down = R::Vector::splat(token, self.height) * sy;
+        let through = R::Vector::splat(token, self.top_left) + across - down;
+        Ray {
+            origin: R::Vector::splat(token, self.position),
+            direction: through.normalized(),
+        }
+    }
+}
+
+impl View<f64> {
+    /// The same view in another format, every number rounded to it.
+    pub fn cast<S: Scalar>(&self) -> View<S> {
+        let vector = |v: glam::DVec3| S::Vector::constant((), v.to_array());
+        View {
+            position: vector(self.position),
+            look_at: vector(self.look_at),
+            up: vector(self.up),
+            fov: S::from_f64(self.fov),
+        }
+    }
+}

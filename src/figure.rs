@@ -1,0 +1,175 @@
+//! The six figures of the lab, as data.
+
+use crate::camera::PerspectiveCamera;
+use crate::error::Invalid;
+use crate::film::Film;
+use crate::integrator::{DirectLighting, Integrator, ShadowQuery};
+use crate::lab;
+use crate::picture::{Picture, Size};
+use crate::real::Scalar;
+use crate::render::render;
+use crate::shadow::Shadow;
+use crate::survey::Survey;
+
+/// One figure of the lab: how the lab's scene is drawn for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Figure {
+    /// Its number: `1`, `2a`, `2b`, `3a`, `3b` or `3c`.
+    pub name: &'static str,
+    /// What it shows.
+    pub title: &'static str,
+    /// The clause of the lab that asks for it.
+    pub clause: &'static str,
+    /// How light is summed up.
+    pub integrator: Integrator,
+    /// How radiance becomes bytes.
+    pub film: Film,
+    /// The part of the picture that is shown enlarged; `None`: the whole.
+    pub detail: Option<Detail>,
+}
+
+/// A part of a picture, enlarged with hard pixels, its contrast raised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Detail {
+    /// The left edge of the part, in hundredths of the picture's width.
+    pub left_percent: u32,
+    /// Its upper edge, in hundredths of the picture's height.
+    pub top_percent: u32,
+    /// How many pixels wide and high each of its pixels becomes. The part is the picture's size
+    /// divided by this, rounded up.
+    pub factor: u32,
+    /// What every byte is multiplied by, up to 255.
+    pub gain: u8,
+}
+
+const fn direct(shadow: Option<Shadow>) -> Integrator {
+    Integrator::DirectLighting(DirectLighting {
+        shadow,
+        query: ShadowQuery::Any,
+    })
+}
+
+/// The figures, in the lab's order.
+pub const FIGURES: [Figure; 6] = [
+    Figure {
+        name: "1",
+        title: "a plane joins the sphere; the light is at the eye",
+        clause: "1.3",
+        integrator: Integrator::RayCast,
+        film: Film::Clamp,
+        detail: None,
+    },
+    Figure {
+        name: "2a",
+        title: "direct light, no clamp: bytes wrap",
+        clause: "3.2",
+        integrator: direct(None),
+        film: Film::Wrap,
+        detail: None,
+    },
+    Figure {
+        name: "2b",
+        title: "direct light, clamped",
+        clause: "3.3",
+        integrator: direct(None),
+        film: Film::Clamp,
+        detail: None,
+    },
+    Figure {
+        name: "3a",
+        title: "shadow rays hit the surface they start on: acne",
+        clause: "4.2",
+        integrator: direct(Some(Shadow::SelfHitting)),
+        film: Film::Clamp,
+        detail: None,
+    },
+    Figure {
+        name: "3b",
+        title: "the same, enlarged and with more contrast",
+        clause: "4.2",
+        integrator: direct(Some(Shadow::SelfHitting)),
+        film: Film::Clamp,
+        detail: Some(Detail {
+            left_percent: 33,
+            top_percent: 45,
+            factor: 5,
+            gain: 3,
+        }),
+    },
+    Figure {
+        name: "3c",
+        title: "shadow rays start off their surface",
+        clause: "4.3",
+        integrator: direct(Some(Shadow::UlpOffset)),
+        film: Film::Clamp,
+        detail: None,
+    },
+];
+
+impl Figure {
+    /// The figure of this name.
+    pub fn named(name: &str) -> Option<&'static Figure> {
+        FIGURES.iter().find(|figure| figure.name == name)
+    }
+
+    /// Draws the figure in a format, from a picture of the given size.
+    ///
+    /// # Errors
+    /// None for the formats there are; the lab's scene is valid in each of them.
+    pub fn draw<S: Scalar>(&self, size: Size) -> Result<Picture, Invalid> {
+        let camera = PerspectiveCamera::new(&lab::view::<S>(), S::from_f64(size.aspect()))?;
+        let picture = render(
+            &lab::scene::<S>()?,
+            &camera,
+            size,
+            self.integrator,
+            self.film,
+        );
+        Ok(match self.detail {
+            None => picture,
+            Some(detail) => detail.of(&picture),
+        })
+    }
+}
+
+impl Figure {
+    /// What happens at every pixel of the figure; for an enlarged detail, of the whole picture.
+    ///
+    /// # Errors
+    /// None for the formats there are; the lab's scene is valid in each of them.
+    pub fn survey<S: Scalar>(&self, size: Size) -> Result<Survey, Invalid> {
+        let camera = PerspectiveCamera::new(&lab::view::<S>(), S::from_f64(size.aspect()))?;
+        Ok(Survey::new(
+            &lab::scene::<S>()?,
+            &camera,
+            size,
+            self.integrator,
+            self.film,
+        ))
+    }
+}
+
+impl Detail {
+    /// Left, upper edge, width and height of the part, in pixels of a picture of this size.
+    pub fn region(&self, size: Size) -> [u32; 4] {
+        let (width, height) = (
+            size.width().div_ceil(self.factor),
+            size.height().div_ceil(self.factor),
+        );
+        let at = |percent: u32, whole: u32| (u64::from(whole) * u64::from(percent) / 100) as u32;
+        let left = at(self.left_percent, size.width()).min(size.width() - width);
+        let top = at(self.top_percent, size.height()).min(size.height() - height);
+        [left, top, width, height]
+    }
+
+    /// The part of a picture, enlarged to the picture's own size.
+    pub fn of(&self, picture: &Picture) -> Picture {
+        let [left, top, ..] = self.region(picture.size());
+        Picture::from_fn(picture.size(), |x, y| {
+            let pixel = picture.pixel(left + x / self.factor, top + y / self.factor);
+            pixel
+                .unwrap_or_default()
+                .map(|byte| byte.saturating_mul(self.gain))
+        })
+    }
+}

@@ -1,0 +1,161 @@
+//! The two formats of IEEE 754 that kernels are judged in: `f32` and `f64`.
+
+use crate::real::{Real, Scalar};
+use std::fmt::{Debug, Display, LowerExp};
+
+/// `f32` or `f64`: a scalar whose bits can be seen, and compared place by place.
+pub trait Float: Scalar<Vector: Copy + PartialEq> + Debug + Display + LowerExp {
+    /// The next format up, in which every product of two numbers of this one is exact or nearly so.
+    type Wide: Scalar;
+
+    /// Bits of precision, the leading one included: 24 or 53.
+    const PRECISION: u32;
+
+    /// The bits, widened to 64.
+    fn bits(self) -> u64;
+    /// The number with these bits; only the low 32 count for `f32`.
+    fn from_bits(bits: u64) -> Self;
+    /// The bits in big-endian hexadecimal: 8 digits for `f32`, 16 for `f64`.
+    fn hex(self) -> String;
+    /// How many numbers of this format lie between the two, counting one end: 0 for equal numbers (also `0.0` and `-0.0`), `u64::MAX` where
+    /// either is NaN.
+    fn ulp_distance(self, other: Self) -> u64;
+}
+
+macro_rules! float {
+    ($float:ident, $bits:ident, $signed:ident, $vector:ty, $wide:ty) => {
+        impl Real for $float {
+            type Scalar = $float;
+            type Mask = bool;
+            type Vector = $vector;
+            type Token = ();
+
+            #[inline(always)]
+            fn token(self) {}
+
+            #[inline(always)]
+            fn splat((): (), value: $float) -> $float {
+                value
+            }
+
+            #[inline(always)]
+            fn mask((): (), value: bool) -> bool {
+                value
+            }
+
+            #[inline(always)]
+            fn sqrt(self) -> $float {
+                <$float>::sqrt(self)
+            }
+
+            #[inline(always)]
+            fn trunc(self) -> $float {
+                <$float>::trunc(self)
+            }
+
+            #[inline(always)]
+            fn step(self, count: $float) -> $float {
+                let places = count as $signed;
+                let places = if self < 0.0 { -places } else { places };
+                <$float>::from_bits(self.to_bits().wrapping_add(places as $bits))
+            }
+
+            #[inline(always)]
+            fn lt(self, other: $float) -> bool {
+                self < other
+            }
+
+            #[inline(always)]
+            fn le(self, other: $float) -> bool {
+                self <= other
+            }
+
+            #[inline(always)]
+            fn select(mask: bool, yes: $float, no: $float) -> $float {
+                if mask { yes } else { no }
+            }
+        }
+
+        impl Float for $float {
+            type Wide = $wide;
+
+            const PRECISION: u32 = $float::MANTISSA_DIGITS;
+
+            fn bits(self) -> u64 {
+                u64::from(self.to_bits())
+            }
+
+            fn from_bits(bits: u64) -> $float {
+                <$float>::from_bits(bits as $bits)
+            }
+
+            fn hex(self) -> String {
+                format!(
+                    "{:0width$x}",
+                    self.to_bits(),
+                    width = 2 * size_of::<$float>()
+                )
+            }
+
+            fn ulp_distance(self, other: $float) -> u64 {
+                if self.is_nan() || other.is_nan() {
+                    return u64::MAX;
+                }
+                let place = |x: $float| {
+                    let magnitude = i128::from(x.to_bits() & ($bits::MAX >> 1));
+                    if x.is_sign_negative() {
+                        -magnitude
+                    } else {
+                        magnitude
+                    }
+                };
+                u64::try_from((place(self) - place(other)).unsigned_abs()).unwrap_or(u64::MAX)
+            }
+        }
+    };
+}
+
+float!(f32, u32, i32, glam::Vec3, f64);
+float!(f64, u64, i64, glam::DVec3, crate::real::DoubleDouble);
+
+impl Scalar for f32 {
+    const NAME: &'static str = "f32";
+    const EPSILON: f64 = f32::EPSILON as f64;
+    const MAX: f32 = f32::MAX;
+    const TINY: f32 = f32::from_bits(1);
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> f32 {
+        value as f32
+    }
+
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+
+    fn tan_half(degrees: f32) -> f32 {
+        f64::tan_half(f64::from(degrees)) as f32
+    }
+}
+
+impl Scalar for f64 {
+    const NAME: &'static str = "f64";
+    const EPSILON: f64 = f64::EPSILON;
+    const MAX: f64 = f64::MAX;
+    const TINY: f64 = f64::from_bits(1);
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> f64 {
+        value
+    }
+
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self
+    }
+
+    fn tan_half(degrees: f64) -> f64 {
+        libm::tan(degrees * (std::f64::consts::PI / 360.0))
+    }
+}

@@ -1,0 +1,100 @@
+//! Integrators: how much light comes along a ray.
+
+use crate::ray::{Ray, Span};
+use crate::real::{Mask, Real};
+use crate::scene::{HitRecord, Scene};
+use crate::shadow::Shadow;
+use crate::vector::Vector;
+
+/// The light that comes along a ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integrator {
+    /// A lamp at the eye: `color * max(0, dot(normal, -direction))` (Figure 1).
+    RayCast,
+    /// The scene's lights (clause 3.1).
+    DirectLighting(DirectLighting),
+}
+
+/// Direct light: the sum over all lights of `color * radiance * max(0, dot(normal, to light))`; no
+/// division by π, no albedo. The lab's `DirectLightingIntegrator`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DirectLighting {
+    /// How shadow rays start; `None` casts none, and everything is lit.
+    pub shadow: Option<Shadow>,
+    /// What shadow rays ask the scene.
+    pub query: ShadowQuery,
+}
+
+/// The question a shadow ray asks (clause 5). Both have the same answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShadowQuery {
+    /// Is the nearest hit before the light? Clause 4.1, by `intersect`.
+    Nearest,
+    /// Is there any hit before the light? Clause 5.2, by `intersect_any`.
+    Any,
+}
+
+impl Integrator {
+    /// The radiance along a ray: a linear colour; the background's where nothing is hit.
+    #[inline(always)]
+    pub fn radiance<R: Real>(self, scene: &Scene<R::Scalar>, ray: &Ray<R>) -> R::Vector {
+        let zero = ray.origin.x().constant(0.0);
+        let background = R::Vector::splat(zero.token(), scene.background());
+        let span = Span::new(zero, R::splat(zero.token(), scene.t_max()));
+        let hit = scene.intersect(ray, &span);
+        if !hit.mask.any() {
+            return background;
+        }
+        let radiance = match self {
+            Integrator::RayCast => hit.color * cosine::<R>(hit.normal, -ray.direction),
+            Integrator::DirectLighting(direct) => direct.radiance(scene, &hit),
+        };
+        R::Vector::select(hit.mask, radiance, background)
+    }
+}
+
+impl DirectLighting {
+    /// The light that a hit point sends back, from all lights it can see (the lab's `_directLighting`).
+    #[inline(always)]
+    fn radiance<R: Real>(self, scene: &Scene<R::Scalar>, hit: &HitRecord<R>) -> R::Vector {
+        let zero = hit.distance.constant(0.0);
+        let mut sum = R::Vector::new(zero, zero, zero);
+        for light in scene.lights() {
+            let sample = light.sample(hit.point);
+            let cosine = cosine::<R>(hit.normal, sample.direction);
+            let facing = hit.mask & cosine.gt(zero);
+            if !facing.any() {
+                continue;
+            }
+            let visible = match self.shadow {
+                None => facing,
+                Some(shadow) => {
+                    let (ray, span) = shadow.ray(hit, sample.direction, sample.distance);
+                    facing & !self.query.blocked(scene, &ray, &span)
+                }
+            };
+            let lit = sum + hit.color * sample.radiance * cosine;
+            sum = R::Vector::select(visible, lit, sum);
+        }
+        sum
+    }
+}
+
+impl ShadowQuery {
+    /// Whether anything stands on this part of the ray.
+    #[inline(always)]
+    fn blocked<R: Real>(self, scene: &Scene<R::Scalar>, ray: &Ray<R>, span: &Span<R>) -> R::Mask {
+        match self {
+            ShadowQuery::Nearest => scene.intersect(ray, span).mask,
+            ShadowQuery::Any => scene.intersect_any(ray, span),
+        }
+    }
+}
+
+/// The cosine of the angle between two unit vectors, 0 where it would be negative.
+#[inline(always)]
+fn cosine<R: Real>(a: R::Vector, b: R::Vector) -> R {
+    let cosine = a.dot(b);
+    let zero = cosine.constant(0.0);
+    R::select(cosine.gt(zero), cosine, zero)
+}

@@ -1,0 +1,129 @@
+//! The words a kernel may use.
+//!
+//! A kernel (a plane, a sphere, a light, an integrator) is written once, over [`Real`]. What differs between a plain float, a wider float, a
+//! packet of lanes or a value with a proven error bound is who speaks these words, never the kernel.
+//!
+//! The vocabulary is small on purpose. Its operations are correctly rounded by IEEE 754 or exact, so a kernel has the same bits on every
+//! machine: no fused multiply-add, no reciprocal estimates, and no `min`, `max` or `clamp`, whose answers for NaN and signed zeros differ.
+//! Kernels are branch-free where that costs nothing: a value from one formula, then a mask that says whether it counts. A division by zero
+//! or the root of a negative number ends in a false mask by itself, since every comparison with NaN is false.
+
+mod double_double;
+
+pub use double_double::DoubleDouble;
+
+use crate::vector::Vector;
+use std::fmt::Debug;
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// The answer of a comparison: one truth value a lane. For a scalar it is `bool`.
+pub trait Mask:
+    Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
+    /// Whether any lane is true. For a scalar this is the value itself, so an early exit stays a branch.
+    fn any(self) -> bool;
+}
+
+impl Mask for bool {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+}
+
+/// A number, or several side by side, in which a kernel can be computed.
+pub trait Real:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// One lane of this number: what scenes are made of.
+    type Scalar: Scalar;
+    /// The answer of a comparison.
+    type Mask: Mask;
+    /// Three of these numbers: a point, a direction or a colour.
+    type Vector: Vector<Self>;
+    /// What it takes to make such a number from nothing. Scalars need nothing.
+    type Token: Copy;
+
+    /// The token this number was made with.
+    fn token(self) -> Self::Token;
+    /// The same value in every lane.
+    fn splat(token: Self::Token, value: Self::Scalar) -> Self;
+    /// The same answer in every lane.
+    fn mask(token: Self::Token, value: bool) -> Self::Mask;
+    /// Square root, correctly rounded. NaN below zero.
+    fn sqrt(self) -> Self;
+    /// The integer part, rounded toward zero.
+    fn trunc(self) -> Self;
+    /// The number `trunc(count)` places further up (or down, where `count` is negative) in the order of all numbers of this format.
+    ///
+    /// Crossing zero is not defined; [`Ray::offset`](crate::Ray::offset) stays away from it.
+    fn step(self, count: Self) -> Self;
+    /// `self < other`; false where either is NaN.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `self <= other`; false where either is NaN.
+    fn le(self, other: Self) -> Self::Mask;
+    /// `yes` in the lanes where the mask holds, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// `self > other`; false where either is NaN.
+    #[inline(always)]
+    fn gt(self, other: Self) -> Self::Mask {
+        other.lt(self)
+    }
+
+    /// `self >= other`; false where either is NaN.
+    #[inline(always)]
+    fn ge(self, other: Self) -> Self::Mask {
+        other.le(self)
+    }
+
+    /// A constant beside this number: `value` rounded to the format, in every lane.
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        Self::splat(self.token(), Self::Scalar::from_f64(value))
+    }
+
+    /// The magnitude.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self::select(self.lt(self.constant(0.0)), -self, self)
+    }
+}
+
+/// A number with one lane: `f32`, `f64` or [`DoubleDouble`].
+pub trait Scalar:
+    Real<Scalar = Self, Mask = bool, Token = ()>
+    + PartialEq
+    + PartialOrd
+    + Default
+    + Send
+    + Sync
+    + 'static
+{
+    /// The format's name, as options and tables give it.
+    const NAME: &'static str;
+    /// The distance from 1 to the next number: 2^-23, 2^-52, 2^-104.
+    const EPSILON: f64;
+    /// The largest finite number.
+    const MAX: Self;
+    /// The smallest number above zero.
+    const TINY: Self;
+
+    /// Rounds to this format, to nearest, ties to even.
+    fn from_f64(value: f64) -> Self;
+    /// Rounds to `f64`, to nearest, ties to even.
+    fn to_f64(self) -> f64;
+    /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on every machine.
+    fn tan_half(degrees: Self) -> Self;
+
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool {
+        self.to_f64().is_finite()
+    }
+}

@@ -1,0 +1,232 @@
+//! Scenes: typed lists of shapes and lights, and the nearest hit among them.
+
+use crate::error::Invalid;
+use crate::light::PointLight;
+use crate::ray::{Ray, Span};
+use crate::real::{Mask, Real, Scalar};
+use crate::shape::{Plane, Shape, Sphere};
+use crate::vector::Vector;
+
+/// A shape with its material: one flat linear colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object<S: Scalar, G> {
+    /// The shape.
+    pub shape: G,
+    color: S::Vector,
+}
+
+impl<S: Scalar, G> Object<S, G> {
+    /// The linear colour.
+    pub fn color(&self) -> S::Vector {
+        self.color
+    }
+}
+
+/// Spheres, planes and point lights before a background.
+///
+/// Objects are numbered from 0 in the order spheres, then planes. Their number is unlimited, but only
+/// the first 2^24 can be told apart in `f32`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene<S: Scalar> {
+    spheres: Vec<Object<S, Sphere<S>>>,
+    planes: Vec<Object<S, Plane<S>>>,
+    lights: Vec<PointLight<S>>,
+    background: S::Vector,
+    t_max: S,
+}
+
+/// What a ray found first (the lab's `HitRecord`).
+#[derive(Clone, Copy, Debug)]
+pub struct HitRecord<R: Real> {
+    /// Whether anything was hit; where it is false, nothing else here means anything.
+    pub mask: R::Mask,
+    /// The point of the hit.
+    pub point: R::Vector,
+    /// The unit normal there, on the side the ray came from.
+    pub normal: R::Vector,
+    /// The ray's parameter there: the distance, where its direction is a unit vector.
+    pub distance: R,
+    /// The number of the object.
+    pub object: R,
+    /// The linear colour of the object.
+    pub color: R::Vector,
+}
+
+impl<S: Scalar> Scene<S> {
+    /// An empty scene: every ray sees the `background`, a linear colour. Primary rays see objects up
+    /// to the parameter `t_max`, which may be infinite.
+    ///
+    /// # Errors
+    /// If a component of the background is not finite or below 0, or `t_max` is NaN or not above 0.
+    pub fn new(background: S::Vector, t_max: S) -> Result<Self, Invalid> {
+        let background = Invalid::unless_color::<S>("background", background)?;
+        let t_max = Invalid::unless(t_max.to_f64() > 0.0, "t_max", t_max, "greater than 0")?;
+        Ok(Self {
+            spheres: vec![],
+            planes: vec![],
+            lights: vec![],
+            background,
+            t_max,
+        })
+    }
+
+    /// Adds a sphere of a linear colour.
+    ///
+    /// # Errors
+    /// If a component of the colour is not finite or below 0.
+    pub fn with_sphere(mut self, shape: Sphere<S>, color: S::Vector) -> Result<Self, Invalid> {
+        let color = Invalid::unless_color::<S>("sphere color", color)?;
+        self.spheres.push(Object { shape, color });
+        Ok(self)
+    }
+
+    /// Adds a plane of a linear colour.
+    ///
+    /// # Errors
+    /// If a component of the colour is not finite or below 0.
+    pub fn with_plane(mut self, shape: Plane<S>, color: S::Vector) -> Result<Self, Invalid> {
+        let color = Invalid::unless_color::<S>("plane color", color)?;
+        self.planes.push(Object { shape, color });
+        Ok(self)
+    }
+
+    /// Adds a light.
+    #[must_use]
+    pub fn with_light(mut self, light: PointLight<S>) -> Self {
+        self.lights.push(light);
+        self
+    }
+
+    /// The spheres, objects number 0 and up.
+    pub fn spheres(&self) -> &[Object<S, Sphere<S>>] {
+        &self.spheres
+    }
+
+    /// The planes, numbered after the spheres.
+    pub fn planes(&self) -> &[Object<S, Plane<S>>] {
+        &self.planes
+    }
+
+    /// The lights.
+    pub fn lights(&self) -> &[PointLight<S>] {
+        &self.lights
+    }
+
+    /// The linear colour that a ray sees which hits nothing.
+    pub fn background(&self) -> S::Vector {
+        self.background
+    }
+
+    /// The largest parameter at which a primary ray sees an object.
+    pub fn t_max(&self) -> S {
+        self.t_max
+    }
+
+    /// The nearest hit in the interval, of all objects (clause 1.2). Of two at the same distance, the
+    /// one with the lower number.
+    #[inline(always)]
+    pub fn intersect<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> HitRecord<R> {
+        let mut nearest = HitRecord::none(ray);
+        let mut number = 0.0;
+        for sphere in &self.spheres {
+            nearest.keep_nearer(ray, span, sphere, number);
+            number += 1.0;
+        }
+        for plane in &self.planes {
+            nearest.keep_nearer(ray, span, plane, number);
+            number += 1.0;
+        }
+        nearest
+    }
+
+    /// Whether there is any hit in the interval; stops at the first (clause 5.1).
+    #[inline(always)]
+    pub fn intersect_any<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> R::Mask {
+        let mut hit = R::mask(span.max.token(), false);
+        for sphere in &self.spheres {
+            hit = hit | sphere.shape.intersect_any(ray, span);
+            if !(!hit).any() {
+                return hit;
+            }
+        }
+        for plane in &self.planes {
+            hit = hit | plane.shape.intersect_any(ray, span);
+            if !(!hit).any() {
+                return hit;
+            }
+        }
+        hit
+    }
+}
+
+impl<R: Real> HitRecord<R> {
+    /// Nothing was hit.
+    #[inline(always)]
+    fn none(ray: &Ray<R>) -> Self {
+        let zero = ray.origin.x().constant(0.0);
+        Self {
+            mask: R::mask(zero.token(), false),
+            point: ray.origin,
+            normal: ray.direction,
+            distance: zero,
+            object: zero,
+            color: R::Vector::new(zero, zero, zero),
+        }
+    }
+
+    /// Replaces this record where the ray meets `object` sooner.
+    #[inline(always)]
+    fn keep_nearer<G: Shape<R::Scalar>>(
+        &mut self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        object: &Object<R::Scalar, G>,
+        number: f64,
+    ) {
+        let hit = object.shape.intersect(ray, span);
+        let nearer = hit.mask & (!self.mask | hit.t.lt(self.distance));
+        if !nearer.any() {
+            return;
+        }
+        let token = hit.t.token();
+        let point = ray.point_at(hit.t);
+        let outward = object.shape.normal_at::<R>(point);
+        let away = outward.dot(ray.direction).gt(hit.t.constant(0.0));
+        let normal = R::Vector::select(away, -outward, outward);
+        let color = R::Vector::splat(token, object.color);
+        self.mask = self.mask | nearer;
+        self.point = R::Vector::select(nearer, point, self.point);
+        self.normal = R::Vector::select(nearer, normal, self.normal);
+        self.distance = R::select(nearer, hit.t, self.distance);
+        self.object = R::select(nearer, hit.t.constant(number), self.object);
+        self.color = R::Vector::select(nearer, color, self.color);
+    }
+}
+
+impl Scene<f64> {
+    /// The same scene in another format, every number rounded to it.
+    ///
+    /// # Errors
+    /// If a number is valid here but not there: a radius that becomes 0, a position that overflows.
+    pub fn cast<S: Scalar>(&self) -> Result<Scene<S>, Invalid> {
+        let vector = |v: glam::DVec3| S::Vector::constant((), v.to_array());
+        let mut scene = Scene::new(vector(self.background), S::from_f64(self.t_max))?;
+        for Object { shape, color } in &self.spheres {
+            let shape = Sphere::new(vector(shape.center()), S::from_f64(shape.radius()))?;
+            scene = scene.with_sphere(shape, vector(*color))?;
+        }
+        for Object { shape, color } in &self.planes {
+            let shape = Plane::new(vector(shape.point()), vector(shape.normal()))?;
+            scene = scene.with_plane(shape, vector(*color))?;
+        }
+        for light in &self.lights {
+            let (position, color) = (vector(light.position()), vector(light.color()));
+            scene = scene.with_light(PointLight::new(
+                position,
+                color,
+                S::from_f64(light.power()),
+            )?);
+        }
+        Ok(scene)
+    }
+}

@@ -1,0 +1,3 @@
+//! The commands of the kit: `cargo xtask`.
+
+fn main() {}
