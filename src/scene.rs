@@ -2,6 +2,7 @@
 
 use crate::error::Invalid;
 use crate::light::PointLight;
+use crate::quality::Quality;
 use crate::ray::{Ray, Span};
 use crate::real::{Mask, Real, Scalar};
 use crate::shape::{Plane, Shape, Sphere};
@@ -125,15 +126,20 @@ impl<S: Scalar> Scene<S> {
     /// The nearest hit in the interval, of all objects (clause 1.2). Of two at the same distance, the
     /// one with the lower number.
     #[inline(always)]
-    pub fn intersect<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> HitRecord<R> {
+    pub fn intersect<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> HitRecord<R> {
         let mut nearest = HitRecord::none(ray);
         let mut number = 0.0;
         for sphere in &self.spheres {
-            nearest.keep_nearer(ray, span, sphere, number);
+            nearest.keep_nearer(ray, span, quality, sphere, number);
             number += 1.0;
         }
         for plane in &self.planes {
-            nearest.keep_nearer(ray, span, plane, number);
+            nearest.keep_nearer(ray, span, quality, plane, number);
             number += 1.0;
         }
         nearest
@@ -141,16 +147,21 @@ impl<S: Scalar> Scene<S> {
 
     /// Whether there is any hit in the interval; stops at the first (clause 5.1).
     #[inline(always)]
-    pub fn intersect_any<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> R::Mask {
+    pub fn intersect_any<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> R::Mask {
         let mut hit = R::mask(span.max.token(), false);
         for sphere in &self.spheres {
-            hit = hit | sphere.shape.intersect_any(ray, span);
+            hit = hit | sphere.shape.intersect_any(ray, span, quality);
             if !(!hit).any() {
                 return hit;
             }
         }
         for plane in &self.planes {
-            hit = hit | plane.shape.intersect_any(ray, span);
+            hit = hit | plane.shape.intersect_any(ray, span, quality);
             if !(!hit).any() {
                 return hit;
             }
@@ -180,10 +191,11 @@ impl<R: Real> HitRecord<R> {
         &mut self,
         ray: &Ray<R>,
         span: &Span<R>,
+        quality: Quality,
         object: &Object<R::Scalar, G>,
         number: f64,
     ) {
-        let hit = object.shape.intersect(ray, span);
+        let hit = object.shape.intersect(ray, span, quality);
         let nearer = hit.mask & (!self.mask | hit.t.lt(self.distance));
         if !nearer.any() {
             return;

@@ -6,6 +6,7 @@ mod sphere;
 pub use plane::Plane;
 pub use sphere::Sphere;
 
+use crate::quality::Quality;
 use crate::ray::{Ray, Span};
 use crate::real::{Real, Scalar};
 
@@ -23,11 +24,35 @@ pub struct Hit<R: Real> {
 /// The shape is made of scalars; the ray may have one lane or many.
 pub trait Shape<S: Scalar> {
     /// The nearest hit in the interval.
-    fn intersect<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> Hit<R>;
+    fn intersect<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> Hit<R>;
 
-    /// Whether there is any hit in the interval, without saying where (clause 5.1).
-    fn intersect_any<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> R::Mask;
+    /// Whether there is any hit in the interval, without saying where (clause 5.1). For one shape this
+    /// costs what [`intersect`](Self::intersect) costs; what it saves, it saves on a scene.
+    fn intersect_any<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> R::Mask {
+        self.intersect(ray, span, quality).mask
+    }
 
     /// The unit normal at a point of the shape, on the side a plane's normal shows to or outside of a sphere.
     fn normal_at<R: Real<Scalar = S>>(&self, point: R::Vector) -> R::Vector;
+}
+
+impl<R: Real> Hit<R> {
+    /// A hit found one precision up.
+    #[inline(always)]
+    fn narrow(wide: Hit<R::Wide>) -> Self {
+        Self {
+            mask: R::narrow_mask(wide.mask),
+            t: R::narrow(wide.t),
+        }
+    }
 }
