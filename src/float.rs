@@ -4,7 +4,7 @@ use crate::real::{Real, Scalar};
 use std::fmt::{Debug, Display, LowerExp};
 
 /// `f32` or `f64`: a scalar whose bits can be seen, and compared place by place.
-pub trait Float: Scalar<Vector: Copy + PartialEq> + Debug + Display + LowerExp {
+pub trait Float: Scalar + Debug + Display + LowerExp {
     /// Bits of precision, the leading one included: 24 or 53.
     const PRECISION: u32;
 

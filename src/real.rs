@@ -110,7 +110,7 @@ pub trait Real:
 
 /// A number with one lane: `f32`, `f64` or [`DoubleDouble`].
 pub trait Scalar:
-    Real<Scalar = Self, Mask = bool, Token = ()>
+    Real<Scalar = Self, Mask = bool, Token = (), Vector: PartialEq + Send + Sync>
     + PartialEq
     + PartialOrd
     + Default
@@ -131,6 +131,10 @@ pub trait Scalar:
     fn from_f64(value: f64) -> Self;
     /// Rounds to `f64`, to nearest, ties to even.
     fn to_f64(self) -> f64;
+    /// Rounds to this format; at most 1 unit in the last place off for `f32`, which is rounded twice.
+    fn from_double_double(value: DoubleDouble) -> Self {
+        Self::from_f64(value.to_f64())
+    }
     /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on every machine.
     fn tan_half(degrees: Self) -> Self;
 

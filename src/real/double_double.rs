@@ -296,6 +296,10 @@ impl Scalar for DoubleDouble {
         self.high
     }
 
+    fn from_double_double(value: DoubleDouble) -> Self {
+        value
+    }
+
     fn tan_half(degrees: Self) -> Self {
         let half = degrees.times(0.5);
         if half.high <= 45.0 {
