@@ -13,7 +13,7 @@ use crate::shadow::Shadow;
 use crate::survey::Survey;
 
 /// One figure of the lab: how the lab's scene is drawn for it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figure {
     /// Its number: `1`, `2a`, `2b`, `3a`, `3b` or `3c`.
     pub name: &'static str,

@@ -4,7 +4,7 @@ use crate::quality::Quality;
 use crate::ray::{Ray, Span};
 use crate::real::{Mask, Real, Scalar};
 use crate::scene::{HitRecord, Scene};
-use crate::shadow::Shadow;
+use crate::shadow::{Shadow, ShadowRay};
 use crate::vector::Vector;
 
 /// A way from a point of the picture to the light that comes from there: a scene and a camera, made
@@ -19,7 +19,7 @@ pub trait Chain<S: Scalar>: Sync {
 }
 
 /// The light that comes along a ray.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Integrator {
     /// A lamp at the eye: `color * max(0, dot(normal, -direction))` (Figure 1).
     RayCast(Quality),
@@ -29,7 +29,7 @@ pub enum Integrator {
 
 /// Direct light: the sum over all lights of `color * radiance * max(0, dot(normal, to light))`; no
 /// division by π, no albedo. The lab's `DirectLightingIntegrator`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectLighting {
     /// How well rays, shadow rays and light samples are computed.
     pub quality: Quality,
@@ -39,7 +39,8 @@ pub struct DirectLighting {
     pub query: ShadowQuery,
 }
 
-/// The question a shadow ray asks (clause 5). Both have the same answer.
+/// The question a shadow ray asks (clause 5). Both have the same answer. Under
+/// [`Shadow::SkipSelf`] it is always the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShadowQuery {
     /// Is the nearest hit before the light? Clause 4.1, by `intersect`.
@@ -104,8 +105,8 @@ impl DirectLighting {
             let visible = match self.shadow {
                 None => facing,
                 Some(shadow) => {
-                    let (ray, span) = shadow.ray(hit, sample.direction, sample.distance);
-                    facing & !self.blocked(scene, &ray, &span)
+                    let ray = shadow.ray(scene, hit, sample.direction, sample.distance);
+                    facing & !self.blocked(scene, &ray)
                 }
             };
             let lit = sum + hit.color * sample.radiance * cosine;
@@ -116,10 +117,11 @@ impl DirectLighting {
 
     /// Whether anything stands on this part of the ray.
     #[inline(always)]
-    fn blocked<R: Real>(self, scene: &Scene<R::Scalar>, ray: &Ray<R>, span: &Span<R>) -> R::Mask {
-        match self.query {
-            ShadowQuery::Nearest => scene.intersect(ray, span, self.quality).mask,
-            ShadowQuery::Any => scene.intersect_any(ray, span, self.quality),
+    fn blocked<R: Real>(self, scene: &Scene<R::Scalar>, shadow: &ShadowRay<R>) -> R::Mask {
+        let ShadowRay { ray, span, skip } = shadow;
+        match (self.query, skip) {
+            (ShadowQuery::Nearest, None) => scene.intersect(ray, span, self.quality).mask,
+            _ => scene.intersect_other(ray, span, self.quality, *skip),
         }
     }
 }

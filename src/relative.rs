@@ -53,7 +53,7 @@ pub enum Lighting {
 struct Plane<S: Scalar> {
     normal: S::Vector,
     height: S,
-    /// (t_max / height)²: a hit at `height / slope` counts where `slope²` times this reaches D².
+    /// (`t_max` / height)²: a hit at `height / slope` counts where `slope²` times this reaches D².
     reach: S,
     number: S,
     color: S::Vector,

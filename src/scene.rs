@@ -5,7 +5,7 @@ use crate::light::PointLight;
 use crate::quality::Quality;
 use crate::ray::{Ray, Span};
 use crate::real::{Mask, Real, Scalar};
-use crate::shape::{Plane, Shape, Sphere};
+use crate::shape::{Plane, Projection, Shape, Sphere};
 use crate::vector::Vector;
 
 /// A shape with its material: one flat linear colour.
@@ -153,20 +153,70 @@ impl<S: Scalar> Scene<S> {
         span: &Span<R>,
         quality: Quality,
     ) -> R::Mask {
+        self.intersect_other(ray, span, quality, None)
+    }
+
+    /// The same, of all objects but the one of number `skip`.
+    #[inline(always)]
+    pub fn intersect_other<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+        skip: Option<R>,
+    ) -> R::Mask {
         let mut hit = R::mask(span.max.token(), false);
-        for sphere in &self.spheres {
-            hit = hit | sphere.shape.intersect_any(ray, span, quality);
+        for (number, sphere) in (0..).zip(&self.spheres) {
+            hit = hit | other(sphere.shape.intersect_any(ray, span, quality), skip, number);
             if !(!hit).any() {
                 return hit;
             }
         }
-        for plane in &self.planes {
-            hit = hit | plane.shape.intersect_any(ray, span, quality);
+        for (number, plane) in (self.spheres.len()..).zip(&self.planes) {
+            hit = hit | other(plane.shape.intersect_any(ray, span, quality), skip, number);
             if !(!hit).any() {
                 return hit;
             }
         }
         hit
+    }
+
+    /// The hit point projected onto the object it lies on.
+    #[inline(always)]
+    pub(crate) fn project<R: Real<Scalar = S>>(&self, hit: &HitRecord<R>) -> Projection<R> {
+        let mut projection = Projection {
+            point: hit.point,
+            error: hit.point,
+        };
+        for (number, sphere) in (0..).zip(&self.spheres) {
+            let own = is_number(hit.object, number);
+            if own.any() {
+                projection = Projection::select(own, sphere.shape.project(hit.point), projection);
+            }
+        }
+        for (number, plane) in (self.spheres.len()..).zip(&self.planes) {
+            let own = is_number(hit.object, number);
+            if own.any() {
+                projection = Projection::select(own, plane.shape.project(hit.point), projection);
+            }
+        }
+        projection
+    }
+}
+
+/// The lanes in which an object's number is this one.
+#[inline(always)]
+fn is_number<R: Real>(object: R, number: usize) -> R::Mask {
+    let number = object.constant(number as f64);
+    object.ge(number) & object.le(number)
+}
+
+/// A hit of object `number`, unless that is the one to skip.
+#[inline(always)]
+fn other<R: Real>(hit: R::Mask, skip: Option<R>, number: usize) -> R::Mask {
+    match skip {
+        None => hit,
+        Some(object) => hit & !is_number(object, number),
     }
 }
 

@@ -8,6 +8,7 @@ use crate::ray::{Ray, Span};
 use crate::real::Scalar;
 use crate::render::position;
 use crate::scene::{HitRecord, Scene};
+use crate::shadow::ShadowRay;
 use crate::shape::Shape;
 use crate::vector::Vector;
 
@@ -171,7 +172,9 @@ fn follow_to_lights<S: Scalar>(
         let Some(shadow) = direct.shadow else {
             continue;
         };
-        let (ray, span) = shadow.ray(hit, sample.direction, sample.distance);
+        let ShadowRay { ray, span, skip } =
+            shadow.ray(scene, hit, sample.direction, sample.distance);
+        let skip = skip.map(|number| number.to_f64() as usize);
         let spheres = scene
             .spheres()
             .iter()
@@ -181,6 +184,7 @@ fn follow_to_lights<S: Scalar>(
             .iter()
             .map(|p| p.shape.intersect_any(&ray, &span, direct.quality));
         for (object, blocks) in spheres.chain(planes).enumerate() {
+            let blocks = blocks && Some(object) != skip;
             pixel.blocked_by_itself |= blocks && object == own;
             pixel.blocked_by_another |= blocks && object != own;
         }

@@ -74,6 +74,12 @@ pub trait Vector<R: Real<Vector = Self>>:
         self * (square.constant(1.0) / square).sqrt()
     }
 
+    /// The magnitude of each component.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self::new(self.x().abs(), self.y().abs(), self.z().abs())
+    }
+
     /// `yes` in the lanes where the mask holds, `no` elsewhere.
     #[inline(always)]
     fn select(mask: R::Mask, yes: Self, no: Self) -> Self {

@@ -1,6 +1,6 @@
 //! The plane (clauses 1.1 and 1.2).
 
-use super::{Hit, Shape};
+use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
 use crate::quality::{Quality, Scale};
 use crate::ray::{Ray, Span};
@@ -94,6 +94,24 @@ impl<S: Scalar> Shape<S> for Plane<S> {
                     t,
                 })
             }
+        }
+    }
+
+    /// `p - n dot(n, p - q)`. The difference, the product of three terms, the unit normal itself and
+    /// the last product make 8 roundings of `dot(|n|, |p - q|)` along the normal, and the last
+    /// difference one of the result.
+    #[inline(always)]
+    fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R> {
+        let token = point.x().token();
+        let normal = R::Vector::splat(token, self.unit_normal);
+        let offset = point - R::Vector::splat(token, self.point);
+        let projected = point - normal * offset.dot(normal);
+        let [along, last] = [8.0, 1.0].map(|n| point.x().constant(gamma::<S>(n)));
+        let terms = offset.abs().dot(normal.abs());
+        let error = normal.abs() * (terms * along) + projected.abs() * last;
+        Projection {
+            point: projected,
+            error,
         }
     }
 

@@ -1,6 +1,6 @@
 //! The sphere (from the lab before this one).
 
-use super::{Hit, Shape};
+use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
 use crate::quality::{Quality, Scale};
 use crate::ray::{Ray, Span};
@@ -123,6 +123,23 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
                 let roots = scaled_roots(from_center, direction.widen(), radius.widen());
                 Hit::narrow(nearest(roots, &span.widen()))
             }
+        }
+    }
+
+    /// `c + (p - c) r / |p - c|`: 5 roundings of the way from the center (pbrt, section 6.8.4), and one
+    /// of the sum.
+    #[inline(always)]
+    fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R> {
+        let token = point.x().token();
+        let center = R::Vector::splat(token, self.center);
+        let from_center = point - center;
+        let distance = from_center.dot(from_center).sqrt();
+        let from_center = from_center * (R::splat(token, self.radius) / distance);
+        let projected = center + from_center;
+        let [along, last] = [5.0, 1.0].map(|n| point.x().constant(gamma::<S>(n)));
+        Projection {
+            point: projected,
+            error: from_center.abs() * along + projected.abs() * last,
         }
     }
 
