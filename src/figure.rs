@@ -10,7 +10,7 @@ use crate::quality::Quality;
 use crate::real::Scalar;
 use crate::render::render;
 use crate::shadow::Shadow;
-use crate::survey::Survey;
+use crate::survey::{Pixel, Survey, visit};
 
 /// One figure of the lab: how the lab's scene is drawn for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -148,6 +148,20 @@ impl Figure {
             self.integrator,
             self.film,
         ))
+    }
+
+    /// The same, without keeping it: hands every pixel to `pixel` with its column and row, row-major.
+    ///
+    /// # Errors
+    /// None for the formats there are; the lab's scene is valid in each of them.
+    pub fn visit<S: Scalar>(
+        &self,
+        size: Size,
+        pixel: impl FnMut(u32, u32, Pixel),
+    ) -> Result<(), Invalid> {
+        let camera = PerspectiveCamera::new(&lab::view::<S>(), S::from_f64(size.aspect()))?;
+        visit(&lab::scene::<S>()?, &camera, size, self.integrator, pixel);
+        Ok(())
     }
 }
 

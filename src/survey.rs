@@ -17,6 +17,8 @@ use crate::vector::Vector;
 pub struct Pixel {
     /// The number of the object it shows; `None`: the background.
     pub object: Option<usize>,
+    /// Whether that object is a sphere.
+    pub on_sphere: bool,
     /// Whether a light stands before the surface: dot(normal, to light) > 0.
     pub faces_light: bool,
     /// Whether a shadow ray met the surface it started on: acne, unless another object blocks too.
@@ -32,13 +34,27 @@ impl Pixel {
     pub fn is_acne(&self) -> bool {
         self.blocked_by_itself && !self.blocked_by_another
     }
+
+    /// Whether a light shines on it: it stands before the surface and no other object blocks it.
+    pub fn is_lit(&self) -> bool {
+        self.faces_light && !self.blocked_by_another
+    }
+
+    /// Whether it shows a plane.
+    pub fn on_plane(&self) -> bool {
+        self.object.is_some() && !self.on_sphere
+    }
+
+    /// Whether a component passes 255: it wraps, or is clamped.
+    pub fn is_too_bright(&self) -> bool {
+        self.level > 255
+    }
 }
 
 /// What happens at every pixel of a picture, row-major.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Survey {
     size: Size,
-    spheres: usize,
     pixels: Vec<Pixel>,
     film: Film,
 }
@@ -52,6 +68,10 @@ pub struct Counts {
     pub plane: usize,
     /// Another object blocks a light that stands before the surface.
     pub shadowed: usize,
+    /// A plane that a light shines on: it stands before it and no other object blocks it.
+    pub lit_plane: usize,
+    /// A sphere that a light shines on.
+    pub lit_sphere: usize,
     /// A component passed 255 and wrapped.
     pub wrapped: usize,
     /// A plane that falsely shadows itself.
@@ -60,6 +80,22 @@ pub struct Counts {
     pub acne_sphere: usize,
     /// The largest component, in units of a byte.
     pub largest_level: u64,
+}
+
+impl Counts {
+    /// Counts one more pixel of a picture that this film turns into bytes.
+    pub fn add(&mut self, pixel: &Pixel, film: Film) {
+        let wrapped = film == Film::Wrap && pixel.is_too_bright();
+        self.sphere += usize::from(pixel.on_sphere);
+        self.plane += usize::from(pixel.on_plane());
+        self.shadowed += usize::from(pixel.blocked_by_another);
+        self.lit_plane += usize::from(pixel.is_lit() && pixel.on_plane());
+        self.lit_sphere += usize::from(pixel.is_lit() && pixel.on_sphere);
+        self.wrapped += usize::from(wrapped);
+        self.acne_plane += usize::from(pixel.is_acne() && pixel.on_plane());
+        self.acne_sphere += usize::from(pixel.is_acne() && pixel.on_sphere);
+        self.largest_level = self.largest_level.max(pixel.level);
+    }
 }
 
 impl Survey {
@@ -72,19 +108,10 @@ impl Survey {
         film: Film,
     ) -> Self {
         let mut pixels = Vec::with_capacity(size.pixels());
-        for y in 0..size.height() {
-            let sy = position(y, size.height());
-            for x in 0..size.width() {
-                let ray = camera.ray(position(x, size.width()), sy);
-                pixels.push(follow(scene, &ray, integrator));
-            }
-        }
-        Self {
-            size,
-            spheres: scene.spheres().len(),
-            pixels,
-            film,
-        }
+        visit(scene, camera, size, integrator, |_, _, pixel| {
+            pixels.push(pixel);
+        });
+        Self { size, pixels, film }
     }
 
     /// The size of the picture.
@@ -97,33 +124,29 @@ impl Survey {
         &self.pixels
     }
 
-    /// Whether the pixel shows a sphere; false on a plane and on the background.
-    pub fn shows_sphere(&self, pixel: &Pixel) -> bool {
-        pixel.object.is_some_and(|object| object < self.spheres)
-    }
-
-    /// Whether the pixel shows a plane.
-    pub fn shows_plane(&self, pixel: &Pixel) -> bool {
-        pixel.object.is_some_and(|object| object >= self.spheres)
-    }
-
-    /// Whether a component of the pixel passed 255 and wrapped.
-    pub fn is_wrapped(&self, pixel: &Pixel) -> bool {
-        self.film == Film::Wrap && pixel.level > 255
-    }
-
     /// The numbers of pixels.
     pub fn counts(&self) -> Counts {
-        let count =
-            |is: &dyn Fn(&Pixel) -> bool| self.pixels.iter().filter(|pixel| is(pixel)).count();
-        Counts {
-            sphere: count(&|p| self.shows_sphere(p)),
-            plane: count(&|p| self.shows_plane(p)),
-            shadowed: count(&|p| p.blocked_by_another),
-            wrapped: count(&|p| self.is_wrapped(p)),
-            acne_plane: count(&|p| p.is_acne() && self.shows_plane(p)),
-            acne_sphere: count(&|p| p.is_acne() && self.shows_sphere(p)),
-            largest_level: self.pixels.iter().map(|p| p.level).max().unwrap_or(0),
+        let mut counts = Counts::default();
+        for pixel in &self.pixels {
+            counts.add(pixel, self.film);
+        }
+        counts
+    }
+}
+
+/// Follows the ray of every pixel and hands it over with its column and row, row-major; keeps none.
+pub(crate) fn visit<S: Scalar>(
+    scene: &Scene<S>,
+    camera: &PerspectiveCamera<S>,
+    size: Size,
+    integrator: Integrator,
+    mut pixel: impl FnMut(u32, u32, Pixel),
+) {
+    for y in 0..size.height() {
+        let sy = position(y, size.height());
+        for x in 0..size.width() {
+            let ray = camera.ray(position(x, size.width()), sy);
+            pixel(x, y, follow(scene, &ray, integrator));
         }
     }
 }
@@ -146,6 +169,7 @@ fn follow<S: Scalar>(scene: &Scene<S>, ray: &Ray<S>, integrator: Integrator) -> 
     let object = hit.object.to_f64() as usize;
     let pixel = Pixel {
         object: Some(object),
+        on_sphere: object < scene.spheres().len(),
         level,
         ..Pixel::default()
     };

@@ -1,3 +1,57 @@
 //! The commands of the kit: `cargo xtask`.
 
-fn main() {}
+mod draw;
+mod error;
+mod figures;
+mod output;
+mod picture_file;
+mod progress;
+mod table;
+mod whole_file;
+mod workspace;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use error::{Error, Result};
+use std::process::ExitCode;
+
+/// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
+#[derive(Parser)]
+#[command(
+    name = "cargo xtask",
+    bin_name = "cargo xtask",
+    disable_help_subcommand = true
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Figures(figures::Args),
+}
+
+fn main() -> ExitCode {
+    run().unwrap_or_else(|error| {
+        eprintln!("error: {error}");
+        ExitCode::from(2)
+    })
+}
+
+fn run() -> Result<ExitCode> {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) if error.use_stderr() => return Err(Error::from(error)),
+        Err(help) => {
+            output::print(&help.render().to_string())?;
+            return Ok(ExitCode::SUCCESS);
+        }
+    };
+    match cli.command {
+        Some(Command::Figures(args)) => figures::run(&args),
+        None => {
+            output::print(&Cli::command().render_long_help().to_string())?;
+            Ok(ExitCode::SUCCESS)
+        }
+    }
+}

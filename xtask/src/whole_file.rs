@@ -1,0 +1,134 @@
+//! Files that are written whole or not at all.
+
+use crate::error::{Error, Result};
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::{Mutex, MutexGuard, Once, PoisonError};
+use tempfile::NamedTempFile;
+
+/// How the names of unfinished files begin. `.gitignore` knows it too.
+pub const PREFIX: &str = ".ombrage-";
+
+/// The unfinished files, for Ctrl-C to remove.
+static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// A new file beside the one it is to replace. Dropped before [`WholeFile::keep`], it disappears.
+#[derive(Debug)]
+pub struct WholeFile {
+    file: NamedTempFile,
+    target: PathBuf,
+}
+
+impl WholeFile {
+    /// Starts the file, and makes the directory it belongs to.
+    ///
+    /// # Errors
+    /// If the directory cannot be made or written to.
+    pub fn create(target: &Path) -> Result<Self> {
+        remove_on_interrupt();
+        let directory = target.parent().unwrap_or(Path::new(""));
+        make_directory(directory)?;
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(PREFIX);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            builder.permissions(fs::Permissions::from_mode(0o666));
+        }
+        // Created under the lock: an interrupt either sees the file or comes before it.
+        let mut unfinished = unfinished();
+        let beside = if directory.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            directory
+        };
+        let file = builder
+            .tempfile_in(beside)
+            .map_err(|error| cannot_write(target, &error))?;
+        unfinished.insert(file.path().to_path_buf());
+        Ok(Self {
+            file,
+            target: target.to_path_buf(),
+        })
+    }
+
+    /// Fills the file.
+    ///
+    /// # Errors
+    /// If `write` fails.
+    pub fn write(&mut self, write: impl FnOnce(&mut File) -> io::Result<()>) -> Result<()> {
+        write(self.file.as_file_mut()).map_err(|error| cannot_write(&self.target, &error))
+    }
+
+    /// Puts the file in its place, in one step.
+    ///
+    /// # Errors
+    /// If it cannot be put there: the place is a directory, for instance.
+    pub fn keep(self) -> Result<()> {
+        let unfinished_path = self.file.path().to_path_buf();
+        let kept = self.file.persist(&self.target);
+        unfinished().remove(&unfinished_path);
+        match kept {
+            Ok(_) => Ok(()),
+            Err(failed) => Err(cannot_write(&self.target, &failed.error)),
+        }
+    }
+}
+
+fn make_directory(directory: &Path) -> Result<()> {
+    if directory.as_os_str().is_empty() || directory.is_dir() {
+        return Ok(());
+    }
+    let not_a_directory = directory
+        .ancestors()
+        .find(|part| part.exists() && !part.is_dir());
+    if let Some(file) = not_a_directory {
+        return Err(Error::new(format!(
+            "{} is a file, not a directory: choose another directory",
+            file.display()
+        )));
+    }
+    fs::create_dir_all(directory).map_err(|error| {
+        Error::new(format!(
+            "cannot make the directory {}: {error}; choose another directory",
+            directory.display()
+        ))
+    })
+}
+
+fn cannot_write(target: &Path, error: &io::Error) -> Error {
+    let advice = match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "free some space",
+        io::ErrorKind::IsADirectory => "remove that directory",
+        _ => "make its directory writable",
+    };
+    Error::new(format!(
+        "cannot write {}: {error}; {advice}, or choose another directory",
+        target.display()
+    ))
+}
+
+fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Makes Ctrl-C and SIGTERM remove the unfinished files before they end the process.
+fn remove_on_interrupt() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let handler = || {
+            // Held to the end of the process, so that nothing new is begun.
+            let unfinished = unfinished();
+            for path in unfinished.iter() {
+                // Nothing is left to do about a file that cannot be removed.
+                let _ = fs::remove_file(path);
+            }
+            process::exit(130);
+        };
+        // Without the handler an interrupt still leaves every old file whole.
+        let _ = ctrlc::set_handler(handler);
+    });
+}
