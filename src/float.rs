@@ -1,6 +1,9 @@
 //! The two formats of IEEE 754 that kernels are judged in: `f32` and `f64`.
 
+use crate::film::Film;
+use crate::level::Level;
 use crate::real::{Real, Scalar};
+use crate::render::{Frame, Linear};
 use std::fmt::{Debug, Display, LowerExp};
 
 /// `f32` or `f64`: a scalar whose bits can be seen, and compared place by place.
@@ -54,8 +57,14 @@ macro_rules! float {
             }
 
             #[inline(always)]
+            fn abs(self) -> $float {
+                <$float>::abs(self)
+            }
+
+            #[inline(always)]
             fn step(self, count: $float) -> $float {
-                let places = count as $signed;
+                let counts = <$float>::abs(count) <= 0.5 / <$float>::EPSILON;
+                let places = if counts { count as $signed } else { 0 };
                 let places = if self < 0.0 { -places } else { places };
                 <$float>::from_bits(self.to_bits().wrapping_add(places as $bits))
             }
@@ -137,6 +146,25 @@ impl Scalar for f32 {
     fn tan_half(degrees: f32) -> f32 {
         f64::tan_half(f64::from(degrees)) as f32
     }
+
+    fn render_rows(
+        frame: &Frame<'_, f32>,
+        film: Film,
+        level: Level,
+        first: u32,
+        pixels: &mut [[u8; 3]],
+    ) {
+        frame.dispatch(level, &film, first, pixels);
+    }
+
+    fn radiance_rows(
+        frame: &Frame<'_, f32>,
+        level: Level,
+        first: u32,
+        pixels: &mut [Self::Vector],
+    ) {
+        frame.dispatch(level, &Linear, first, pixels);
+    }
 }
 
 impl Scalar for f64 {
@@ -157,5 +185,24 @@ impl Scalar for f64 {
 
     fn tan_half(degrees: f64) -> f64 {
         libm::tan(degrees * (std::f64::consts::PI / 360.0))
+    }
+
+    fn render_rows(
+        frame: &Frame<'_, f64>,
+        film: Film,
+        level: Level,
+        first: u32,
+        pixels: &mut [[u8; 3]],
+    ) {
+        frame.dispatch(level, &film, first, pixels);
+    }
+
+    fn radiance_rows(
+        frame: &Frame<'_, f64>,
+        level: Level,
+        first: u32,
+        pixels: &mut [Self::Vector],
+    ) {
+        frame.dispatch(level, &Linear, first, pixels);
     }
 }

@@ -9,9 +9,18 @@
 //! or the root of a negative number ends in a false mask by itself, since every comparison with NaN is false.
 
 mod double_double;
+mod lanes;
+mod packet;
+mod pair;
 
 pub use double_double::DoubleDouble;
+pub use lanes::Lanes;
+pub use packet::{Lane, Packet, PacketMask};
+pub use pair::Pair;
 
+use crate::film::Film;
+use crate::level::Level;
+use crate::render::{Frame, Linear};
 use crate::vector::Vector;
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -62,7 +71,8 @@ pub trait Real:
     fn trunc(self) -> Self;
     /// The number `trunc(count)` places further up (or down, where `count` is negative) in the order of all numbers of this format.
     ///
-    /// Crossing zero is not defined; [`Ray::offset`](crate::Ray::offset) stays away from it.
+    /// In `f32` and `f64` a count that is NaN, or beyond 2^22 and 2^51, moves nothing. Crossing zero
+    /// is not defined; [`Ray::offset`](crate::Ray::offset) stays away from it.
     fn step(self, count: Self) -> Self;
     /// `self < other`; false where either is NaN.
     fn lt(self, other: Self) -> Self::Mask;
@@ -98,7 +108,7 @@ pub trait Real:
 
 /// A number with one lane: `f32`, `f64` or [`DoubleDouble`].
 pub trait Scalar:
-    Real<Scalar = Self, Mask = bool, Token = ()>
+    Real<Scalar = Self, Mask = bool, Token = (), Vector: Send + Sync>
     + PartialEq
     + PartialOrd
     + Default
@@ -125,5 +135,27 @@ pub trait Scalar:
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()
+    }
+
+    /// Renders rows of a frame to bytes, from row `first` on: as many as `pixels` are. A format
+    /// that has no packets goes one lane at a time, whatever the level.
+    fn render_rows(
+        frame: &Frame<'_, Self>,
+        film: Film,
+        _level: Level,
+        first: u32,
+        pixels: &mut [[u8; 3]],
+    ) {
+        frame.rows::<Self, _>((), &film, first, pixels);
+    }
+
+    /// The same to linear radiance.
+    fn radiance_rows(
+        frame: &Frame<'_, Self>,
+        _level: Level,
+        first: u32,
+        pixels: &mut [Self::Vector],
+    ) {
+        frame.rows::<Self, _>((), &Linear, first, pixels);
     }
 }

@@ -1,12 +1,20 @@
-//! Pictures from scenes: one primary ray a pixel, row by row.
+//! Pictures from scenes: one primary ray a pixel, row by row, in packets and threads.
+
+mod frame;
+
+pub use frame::{Develop, Frame, Linear};
 
 use crate::camera::PerspectiveCamera;
 use crate::film::Film;
 use crate::integrator::Integrator;
+use crate::level::{Level, NoSuchLevel};
 use crate::picture::{Picture, Size};
 use crate::real::Scalar;
 use crate::scene::Scene;
 use crate::vector::Vector;
+use std::num::NonZero;
+use std::sync::{LazyLock, Mutex, PoisonError};
+use std::thread;
 
 /// Where on the viewport a pixel's ray goes, along one axis: `index / (count - 1)`, from 0 for the
 /// first column or row to 1 for the last; the middle where there is only one.
@@ -19,7 +27,7 @@ pub fn position<S: Scalar>(index: u32, count: u32) -> S {
     }
 }
 
-/// Renders a scene to bytes: width x height x 3, row-major.
+/// Renders a scene to bytes: width x height x 3, row-major, as fast as the machine can.
 pub fn render<S: Scalar>(
     scene: &Scene<S>,
     camera: &PerspectiveCamera<S>,
@@ -27,11 +35,7 @@ pub fn render<S: Scalar>(
     integrator: Integrator,
     film: Film,
 ) -> Picture {
-    let mut bytes = Vec::with_capacity(3 * size.pixels());
-    render_radiance(scene, camera, size, integrator, |radiance| {
-        bytes.extend(radiance.to_array().map(|x| film.byte(x).to_f64() as u8));
-    });
-    Picture::from_rendering(size, bytes)
+    Engine::default().render(scene, camera, size, integrator, film)
 }
 
 /// Renders a scene to linear radiance, pixel by pixel, row-major, upper left first.
@@ -40,15 +44,110 @@ pub fn render_radiance<S: Scalar>(
     camera: &PerspectiveCamera<S>,
     size: Size,
     integrator: Integrator,
-    mut pixel: impl FnMut(S::Vector),
-) {
-    let columns: Vec<S> = (0..size.width())
-        .map(|i| position(i, size.width()))
-        .collect();
-    for row in 0..size.height() {
-        let sy = position(row, size.height());
-        for &sx in &columns {
-            pixel(integrator.radiance(scene, &camera.ray(sx, sy)));
+) -> Vec<S::Vector> {
+    Engine::default().render_radiance(scene, camera, size, integrator)
+}
+
+/// What a picture is computed with. Every engine gives the same bits; they differ in speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Engine {
+    level: Level,
+    threads: Option<NonZero<usize>>,
+}
+
+/// The machine's threads; asking the system costs more than a small picture.
+static THREADS: LazyLock<usize> =
+    LazyLock::new(|| thread::available_parallelism().map_or(1, NonZero::get));
+
+/// Pixels that are worth another thread.
+const PIXELS_PER_THREAD: usize = 1 << 16;
+
+/// Rows that a thread takes at a time.
+const ROWS_AT_A_TIME: usize = 8;
+
+impl Default for Engine {
+    /// The best level, and as many threads as the machine and the picture's size are worth.
+    fn default() -> Self {
+        Self {
+            level: Level::best(),
+            threads: None,
         }
+    }
+}
+
+impl Engine {
+    /// An engine of this level with this many threads; `None`: as many as the machine and the
+    /// picture's size are worth.
+    ///
+    /// # Errors
+    /// If the processor does not have the level.
+    pub fn new(level: Level, threads: Option<NonZero<usize>>) -> Result<Self, NoSuchLevel> {
+        if level.is_available() {
+            Ok(Self { level, threads })
+        } else {
+            Err(NoSuchLevel(level.name().to_owned()))
+        }
+    }
+
+    /// Its level.
+    pub fn level(self) -> Level {
+        self.level
+    }
+
+    /// Renders a scene to bytes, like [`render`].
+    pub fn render<S: Scalar>(
+        self,
+        scene: &Scene<S>,
+        camera: &PerspectiveCamera<S>,
+        size: Size,
+        integrator: Integrator,
+        film: Film,
+    ) -> Picture {
+        let frame = Frame::new(scene, camera, size, integrator);
+        let mut pixels = vec![[0; 3]; size.pixels()];
+        self.share(size, &mut pixels, |first, pixels| {
+            S::render_rows(&frame, film, self.level, first, pixels);
+        });
+        Picture::from_rendering(size, pixels.into_flattened())
+    }
+
+    /// Renders a scene to linear radiance, like [`render_radiance`].
+    pub fn render_radiance<S: Scalar>(
+        self,
+        scene: &Scene<S>,
+        camera: &PerspectiveCamera<S>,
+        size: Size,
+        integrator: Integrator,
+    ) -> Vec<S::Vector> {
+        let frame = Frame::new(scene, camera, size, integrator);
+        let mut pixels = vec![S::Vector::constant((), [0.0; 3]); size.pixels()];
+        self.share(size, &mut pixels, |first, pixels| {
+            S::radiance_rows(&frame, self.level, first, pixels);
+        });
+        pixels
+    }
+
+    /// Draws a picture's rows, `draw(first row, pixels)`, a few at a time on each thread.
+    fn share<P: Send>(self, size: Size, pixels: &mut [P], draw: impl Fn(u32, &mut [P]) + Sync) {
+        let worth = || THREADS.min(size.pixels().div_ceil(PIXELS_PER_THREAD));
+        let threads = self.threads.map_or_else(worth, NonZero::get);
+        if threads == 1 {
+            return draw(0, pixels);
+        }
+        let parts = pixels.chunks_mut(ROWS_AT_A_TIME * size.width() as usize);
+        let parts = Mutex::new((0..).step_by(ROWS_AT_A_TIME).zip(parts));
+        let next = || parts.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let work = || {
+            while let Some((first, part)) = next() {
+                draw(first, part);
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 1..threads {
+                // A thread that the system refuses leaves its share to the others.
+                let _ = thread::Builder::new().spawn_scoped(scope, work);
+            }
+            work();
+        });
     }
 }

@@ -1,0 +1,152 @@
+//! Rows of a picture, as many pixels at a time as there are lanes.
+
+use crate::camera::PerspectiveCamera;
+use crate::film::Film;
+use crate::integrator::Integrator;
+use crate::level::Level;
+use crate::picture::Size;
+use crate::real::{Lane, Lanes, Packet, Pair, Scalar};
+use crate::render::position;
+use crate::scene::Scene;
+use crate::vector::Vector;
+use fearless_simd::{Simd, dispatch};
+
+/// A picture to be: everything its rows have in common.
+#[derive(Clone, Debug)]
+pub struct Frame<'a, S: Scalar> {
+    scene: &'a Scene<S>,
+    camera: &'a PerspectiveCamera<S>,
+    size: Size,
+    integrator: Integrator,
+    /// Where each column's rays go; the last is repeated to fill the widest packet.
+    columns: Vec<S>,
+}
+
+/// What radiance becomes before it is stored.
+pub trait Develop<S: Scalar> {
+    /// What is stored for a pixel.
+    type Pixel: Copy;
+    /// How many pixels [`put`](Develop::put) may write beyond its own.
+    const SPILL: usize;
+
+    /// Writes the lanes' pixels to the start of a slice that has room for them and the spill.
+    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [Self::Pixel]);
+}
+
+impl<S: Scalar> Develop<S> for Film {
+    type Pixel = [u8; 3];
+    const SPILL: usize = 4;
+
+    #[inline(always)]
+    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [[u8; 3]]) {
+        let [red, green, blue] = radiance.to_array();
+        let rgb = [self.byte(red), self.byte(green), self.byte(blue)];
+        R::store_rgb(rgb, pixels.as_flattened_mut());
+    }
+}
+
+/// Radiance as it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Linear;
+
+impl<S: Scalar> Develop<S> for Linear {
+    type Pixel = S::Vector;
+    const SPILL: usize = 0;
+
+    #[inline(always)]
+    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [S::Vector]) {
+        let mut lanes = [[S::default(); 32]; 3];
+        for (lanes, component) in lanes.iter_mut().zip(radiance.to_array()) {
+            component.store(lanes);
+        }
+        for (i, pixel) in pixels[..R::LANES].iter_mut().enumerate() {
+            *pixel = S::Vector::new(lanes[0][i], lanes[1][i], lanes[2][i]);
+        }
+    }
+}
+
+impl<'a, S: Scalar> Frame<'a, S> {
+    /// The picture of a scene through a camera.
+    pub fn new(
+        scene: &'a Scene<S>,
+        camera: &'a PerspectiveCamera<S>,
+        size: Size,
+        integrator: Integrator,
+    ) -> Self {
+        let width = size.width();
+        let columns = 0..width.next_multiple_of(32);
+        Self {
+            scene,
+            camera,
+            size,
+            integrator,
+            columns: columns
+                .map(|column| position(column.min(width - 1), width))
+                .collect(),
+        }
+    }
+
+    /// Computes rows, from row `first` on: as many as `pixels` are, `R::LANES` pixels at a time.
+    ///
+    /// The last packet of a row, and a film's spill, write beyond the row: into the next row, which
+    /// is computed after it, or where there is none into a row of their own.
+    #[inline(always)]
+    pub fn rows<R: Lanes<Scalar = S>, D: Develop<S>>(
+        &self,
+        token: R::Token,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    ) {
+        let width = self.size.width() as usize;
+        let room = width.next_multiple_of(R::LANES) + D::SPILL;
+        let Some(&blank) = pixels.first() else { return };
+        let mut spare = vec![blank; room];
+        for (row, start) in (first..).zip((0..pixels.len()).step_by(width)) {
+            let sy = R::splat(token, position(row, self.size.height()));
+            let rest = &mut pixels[start..];
+            let has_room = rest.len() >= room;
+            let target = if has_room { &mut *rest } else { &mut spare };
+            for column in (0..width).step_by(R::LANES) {
+                let sx = R::load(token, &self.columns[column..]);
+                let radiance = self
+                    .integrator
+                    .radiance(self.scene, &self.camera.ray(sx, sy));
+                develop.put::<R>(radiance, &mut target[column..]);
+            }
+            if !has_room {
+                rest[..width].copy_from_slice(&spare[..width]);
+            }
+        }
+    }
+
+    /// Computes rows at a level.
+    pub fn dispatch<D: Develop<S>>(
+        &self,
+        level: Level,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    ) where
+        S: Lane,
+    {
+        match level.simd() {
+            None => self.rows::<S, D>((), develop, first, pixels),
+            Some(level) => dispatch!(level, simd => self.packets(simd, develop, first, pixels)),
+        }
+    }
+
+    /// Computes rows with two packets in flight.
+    #[inline(always)]
+    fn packets<L: Simd, D: Develop<S>>(
+        &self,
+        simd: L,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    ) where
+        S: Lane,
+    {
+        self.rows::<Pair<Packet<L, S>>, D>(simd, develop, first, pixels);
+    }
+}
