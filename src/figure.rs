@@ -1,6 +1,7 @@
 //! The six figures of the lab, as data.
 
 use crate::camera::PerspectiveCamera;
+use crate::chain::LabChain;
 use crate::error::Invalid;
 use crate::film::Film;
 use crate::integrator::{DirectLighting, Integrator, ShadowQuery};
@@ -8,7 +9,7 @@ use crate::lab;
 use crate::picture::{Picture, Size};
 use crate::quality::Quality;
 use crate::real::Scalar;
-use crate::render::render;
+use crate::render::{Dispatch, render};
 use crate::shadow::Shadow;
 use crate::survey::{Pixel, Survey, visit};
 
@@ -118,15 +119,15 @@ impl Figure {
     ///
     /// # Errors
     /// None for the formats there are; the lab's scene is valid in each of them.
-    pub fn draw<S: Scalar>(&self, size: Size) -> Result<Picture, Invalid> {
+    pub fn draw<S: Dispatch>(&self, size: Size) -> Result<Picture, Invalid> {
         let camera = PerspectiveCamera::new(&lab::view::<S>(), S::from_f64(size.aspect()))?;
-        let picture = render(
-            &lab::scene::<S>()?,
-            &camera,
-            size,
-            self.integrator,
-            self.film,
-        );
+        let scene = lab::scene::<S>()?;
+        let chain = LabChain {
+            scene: &scene,
+            camera: &camera,
+            integrator: self.integrator,
+        };
+        let picture = render(&chain, size, self.film);
         Ok(match self.detail {
             None => picture,
             Some(detail) => detail.of(&picture),

@@ -1,6 +1,6 @@
 //! The two formats of IEEE 754 that kernels are judged in: `f32` and `f64`.
 
-use crate::real::{Real, Scalar};
+use crate::real::{DoubleDouble, Real, Scalar};
 use std::fmt::{Debug, Display, LowerExp};
 
 /// `f32` or `f64`: a scalar whose bits can be seen, and compared place by place.
@@ -14,19 +14,18 @@ pub trait Float: Scalar + Debug + Display + LowerExp {
     fn from_bits(bits: u64) -> Self;
     /// The bits in big-endian hexadecimal: 8 digits for `f32`, 16 for `f64`.
     fn hex(self) -> String;
-    /// How many numbers of this format lie between the two, counting one end: 0 for equal numbers (also `0.0` and `-0.0`), `u64::MAX` where
-    /// either is NaN.
+    /// How many numbers of this format lie between the two, counting one end: 0 for equal numbers (also
+    /// `0.0` and `-0.0`), `u64::MAX` where either is NaN.
     fn ulp_distance(self, other: Self) -> u64;
 }
 
 macro_rules! float {
-    ($float:ident, $bits:ident, $signed:ident, $vector:ty, $wide:ty) => {
+    ($float:ident, $bits:ident, $signed:ident, $vector:ty) => {
         impl Real for $float {
             type Scalar = $float;
             type Mask = bool;
             type Vector = $vector;
             type Token = ();
-            type Wide = $wide;
 
             #[inline(always)]
             fn token(self) {}
@@ -52,8 +51,14 @@ macro_rules! float {
             }
 
             #[inline(always)]
+            fn abs(self) -> $float {
+                <$float>::abs(self)
+            }
+
+            #[inline(always)]
             fn step(self, count: $float) -> $float {
-                let places = count as $signed;
+                let counts = <$float>::abs(count) <= 0.5 / <$float>::EPSILON;
+                let places = if counts { count as $signed } else { 0 };
                 let places = if self < 0.0 { -places } else { places };
                 <$float>::from_bits(self.to_bits().wrapping_add(places as $bits))
             }
@@ -79,18 +84,11 @@ macro_rules! float {
             }
 
             #[inline(always)]
-            fn widen(self) -> $wide {
-                <$wide>::from_f64(self.to_f64())
-            }
-
-            #[inline(always)]
-            fn narrow(wide: $wide) -> $float {
-                <$float>::from_f64(wide.to_f64())
-            }
-
-            #[inline(always)]
-            fn narrow_mask(mask: bool) -> bool {
-                mask
+            fn each<const N: usize>(
+                inputs: [$float; N],
+                f: impl Fn([$float; N]) -> $float,
+            ) -> $float {
+                f(inputs)
             }
         }
 
@@ -131,10 +129,12 @@ macro_rules! float {
     };
 }
 
-float!(f32, u32, i32, glam::Vec3, f64);
-float!(f64, u64, i64, glam::DVec3, crate::real::DoubleDouble);
+float!(f32, u32, i32, glam::Vec3);
+float!(f64, u64, i64, glam::DVec3);
 
 impl Scalar for f32 {
+    type Wide = f64;
+
     const NAME: &'static str = "f32";
     const EPSILON: f64 = f32::EPSILON as f64;
     const MAX: f32 = f32::MAX;
@@ -150,12 +150,24 @@ impl Scalar for f32 {
         f64::from(self)
     }
 
+    #[inline(always)]
+    fn widen(self) -> f64 {
+        f64::from(self)
+    }
+
+    #[inline(always)]
+    fn narrow(wide: f64) -> f32 {
+        wide as f32
+    }
+
     fn tan_half(degrees: f32) -> f32 {
         f64::tan_half(f64::from(degrees)) as f32
     }
 }
 
 impl Scalar for f64 {
+    type Wide = DoubleDouble;
+
     const NAME: &'static str = "f64";
     const EPSILON: f64 = f64::EPSILON;
     const MAX: f64 = f64::MAX;
@@ -169,6 +181,16 @@ impl Scalar for f64 {
     #[inline(always)]
     fn to_f64(self) -> f64 {
         self
+    }
+
+    #[inline(always)]
+    fn widen(self) -> DoubleDouble {
+        DoubleDouble::from_f64(self)
+    }
+
+    #[inline(always)]
+    fn narrow(wide: DoubleDouble) -> f64 {
+        wide.high()
     }
 
     fn tan_half(degrees: f64) -> f64 {

@@ -2,21 +2,10 @@
 
 use crate::quality::Quality;
 use crate::ray::{Ray, Span};
-use crate::real::{Mask, Real, Scalar};
+use crate::real::{Mask, Real};
 use crate::scene::{HitRecord, Scene};
 use crate::shadow::{Shadow, ShadowRay};
 use crate::vector::Vector;
-
-/// A way from a point of the picture to the light that comes from there: a scene and a camera, made
-/// ready for rays.
-pub trait Chain<S: Scalar>: Sync {
-    /// Where a column or row of pixels is, of `count`, as [`radiance`](Self::radiance) takes it.
-    fn coordinate(index: u32, count: u32) -> S;
-
-    /// The radiance, a linear colour, at a point of the picture given by the coordinates of its column
-    /// and its row.
-    fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector;
-}
 
 /// The light that comes along a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,18 +45,6 @@ impl Integrator {
         match self {
             Integrator::RayCast(quality) => quality,
             Integrator::DirectLighting(direct) => direct.quality,
-        }
-    }
-
-    /// The same with kernels of another quality.
-    #[inline(always)]
-    #[must_use]
-    pub fn with_quality(self, quality: Quality) -> Self {
-        match self {
-            Integrator::RayCast(_) => Integrator::RayCast(quality),
-            Integrator::DirectLighting(direct) => {
-                Integrator::DirectLighting(DirectLighting { quality, ..direct })
-            }
         }
     }
 

@@ -38,7 +38,9 @@
 //! let camera = PerspectiveCamera::new(&view, 600.0 / 400.0)?;
 //! let (quality, shadow) = (Quality::Textbook, Some(Shadow::UlpOffset));
 //! let shadows = DirectLighting { quality, shadow, query: ShadowQuery::Any };
-//! let picture = render(&scene, &camera, Size::LAB, Integrator::DirectLighting(shadows), Film::Clamp);
+//! let integrator = Integrator::DirectLighting(shadows);
+//! let chain = LabChain { scene: &scene, camera: &camera, integrator };
+//! let picture = render(&chain, Size::LAB, Film::Clamp);
 //! # assert_eq!(picture.pixel(0, 0), Some([127, 127, 127]));
 //! # assert_eq!(picture, Figure::named("3c").unwrap().draw::<f32>(Size::LAB)?);
 //! # Ok(())
@@ -46,12 +48,14 @@
 //! ```
 
 mod camera;
+mod chain;
 mod error;
 mod figure;
 mod film;
 mod float;
 mod integrator;
 pub mod lab;
+mod level;
 mod light;
 mod picture;
 mod quality;
@@ -66,18 +70,20 @@ mod survey;
 mod vector;
 
 pub use camera::{PerspectiveCamera, View};
+pub use chain::{Chain, LabChain};
 pub use error::Invalid;
 pub use figure::{Detail, FIGURES, Figure};
 pub use film::Film;
 pub use float::Float;
-pub use integrator::{Chain, DirectLighting, Integrator, ShadowQuery};
+pub use integrator::{DirectLighting, Integrator, ShadowQuery};
+pub use level::{Level, NoSuchLevel};
 pub use light::{LightSample, PointLight};
 pub use picture::{Picture, Size};
 pub use quality::Quality;
 pub use ray::{Ray, Span};
-pub use real::{DoubleDouble, Mask, Real, Scalar};
+pub use real::{DoubleDouble, Lane, Lanes, Mask, Packet, PacketMask, Pair, Real, Scalar};
 pub use relative::{Lighting, Relative};
-pub use render::{position, render, render_radiance};
+pub use render::{Develop, Dispatch, Engine, Frame, Linear, render, render_radiance};
 pub use scene::{HitRecord, Object, Scene};
 pub use shadow::{Shadow, ShadowRay};
 pub use shape::{Hit, Plane, Projection, Shape, Sphere};

@@ -9,8 +9,14 @@
 //! or the root of a negative number ends in a false mask by itself, since every comparison with NaN is false.
 
 mod double_double;
+mod lanes;
+mod packet;
+mod pair;
 
 pub use double_double::DoubleDouble;
+pub use lanes::Lanes;
+pub use packet::{Lane, Packet, PacketMask};
+pub use pair::Pair;
 
 use crate::vector::Vector;
 use std::fmt::Debug;
@@ -49,8 +55,6 @@ pub trait Real:
     type Vector: Vector<Self>;
     /// What it takes to make such a number from nothing. Scalars need nothing.
     type Token: Copy;
-    /// The format one precision up: `f64` for `f32`, double-double for `f64`.
-    type Wide: Real;
 
     /// The token this number was made with.
     fn token(self) -> Self::Token;
@@ -62,9 +66,11 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// The integer part, rounded toward zero.
     fn trunc(self) -> Self;
-    /// The number `trunc(count)` places further up (or down, where `count` is negative) in the order of all numbers of this format.
+    /// The number `trunc(count)` places further up (or down, where `count` is negative) in the order of
+    /// all numbers of this format.
     ///
-    /// Crossing zero is not defined; [`Ray::offset`](crate::Ray::offset) stays away from it.
+    /// In `f32` and `f64` a count that is NaN, or beyond 2^22 and 2^51, moves nothing. Crossing zero
+    /// is not defined; [`Ray::offset`](crate::Ray::offset) stays away from it.
     fn step(self, count: Self) -> Self;
     /// The largest power of two that is not above the magnitude: the value of the leading bit. 0 for
     /// zero and for numbers below the smallest normal one; infinity for infinities and NaN.
@@ -76,12 +82,11 @@ pub trait Real:
     /// `yes` in the lanes where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// The same number one precision up, exactly.
-    fn widen(self) -> Self::Wide;
-    /// A number of the next precision, rounded to this one.
-    fn narrow(wide: Self::Wide) -> Self;
-    /// An answer of the next precision, for this one.
-    fn narrow_mask(mask: <Self::Wide as Real>::Mask) -> Self::Mask;
+    /// Computes lane by lane, as scalars: for what would not fit the registers as packets.
+    fn each<const N: usize>(
+        inputs: [Self; N],
+        f: impl Fn([Self::Scalar; N]) -> Self::Scalar,
+    ) -> Self;
 
     /// `self > other`; false where either is NaN.
     #[inline(always)]
@@ -118,6 +123,9 @@ pub trait Scalar:
     + Sync
     + 'static
 {
+    /// The format one precision up: `f64` for `f32`, double-double for `f64`, itself for double-double.
+    type Wide: Scalar;
+
     /// The format's name, as options and tables give it.
     const NAME: &'static str;
     /// The distance from 1 to the next number: 2^-23, 2^-52, 2^-104.
@@ -131,6 +139,10 @@ pub trait Scalar:
     fn from_f64(value: f64) -> Self;
     /// Rounds to `f64`, to nearest, ties to even.
     fn to_f64(self) -> f64;
+    /// The same number one precision up, exactly.
+    fn widen(self) -> Self::Wide;
+    /// A number of the next precision, rounded to this one.
+    fn narrow(wide: Self::Wide) -> Self;
     /// Rounds to this format; at most 1 unit in the last place off for `f32`, which is rounded twice.
     fn from_double_double(value: DoubleDouble) -> Self {
         Self::from_f64(value.to_f64())

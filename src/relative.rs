@@ -17,7 +17,7 @@ mod light;
 mod setup;
 mod sphere;
 
-use crate::integrator::Chain;
+use crate::chain::Chain;
 use crate::real::{Mask, Real, Scalar};
 use crate::vector::Vector;
 use light::Light;

@@ -1,70 +1,115 @@
-//! Pictures from scenes: one primary ray a pixel, row by row.
+//! Pictures from scenes: one primary ray a pixel, row by row, in packets and threads.
 
-use crate::camera::PerspectiveCamera;
+mod frame;
+
+pub use frame::{Develop, Dispatch, Frame, Linear};
+
+use crate::chain::Chain;
 use crate::film::Film;
-use crate::integrator::Integrator;
+use crate::level::{Level, NoSuchLevel};
 use crate::picture::{Picture, Size};
-use crate::quality::Quality;
-use crate::real::Scalar;
-use crate::scene::Scene;
 use crate::vector::Vector;
+use std::num::NonZero;
+use std::sync::{LazyLock, Mutex, PoisonError};
+use std::thread;
 
-/// Where on the viewport a pixel's ray goes, along one axis: `index / (count - 1)`, from 0 for the
-/// first column or row to 1 for the last; the middle where there is only one.
-#[inline(always)]
-pub fn position<S: Scalar>(index: u32, count: u32) -> S {
-    if count == 1 {
-        S::from_f64(0.5)
-    } else {
-        S::from_f64(f64::from(index)) / S::from_f64(f64::from(count - 1))
-    }
+/// Renders to bytes: width x height x 3, row-major, as fast as the machine can.
+pub fn render<S: Dispatch>(chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
+    Engine::default().render(chain, size, film)
 }
 
-/// Renders a scene to bytes: width x height x 3, row-major.
-pub fn render<S: Scalar>(
-    scene: &Scene<S>,
-    camera: &PerspectiveCamera<S>,
-    size: Size,
-    integrator: Integrator,
-    film: Film,
-) -> Picture {
-    let mut bytes = Vec::with_capacity(3 * size.pixels());
-    render_radiance(scene, camera, size, integrator, |radiance| {
-        bytes.extend(radiance.to_array().map(|x| film.byte(x).to_f64() as u8));
-    });
-    Picture::from_rendering(size, bytes)
+/// Renders to linear radiance, pixel by pixel, row-major, upper left first.
+pub fn render_radiance<S: Dispatch>(chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
+    Engine::default().render_radiance(chain, size)
 }
 
-/// Renders a scene to linear radiance, pixel by pixel, row-major, upper left first.
-pub fn render_radiance<S: Scalar>(
-    scene: &Scene<S>,
-    camera: &PerspectiveCamera<S>,
-    size: Size,
-    integrator: Integrator,
-    pixel: impl FnMut(S::Vector),
-) {
-    let rows = |quality| (scene, camera, size, integrator.with_quality(quality));
-    // A copy of the loop for each quality, so that the widest kernel does not slow down the others.
-    match integrator.quality() {
-        Quality::Textbook => render_rows(rows(Quality::Textbook), pixel),
-        Quality::Stable => render_rows(rows(Quality::Stable), pixel),
-        Quality::Wide => render_rows(rows(Quality::Wide), pixel),
-    }
+/// What a picture is computed with. Every engine gives the same bits; they differ in speed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Engine {
+    level: Level,
+    threads: Option<NonZero<usize>>,
 }
 
-/// Every row of a picture, by an integrator whose quality the compiler knows.
-#[inline(always)]
-fn render_rows<S: Scalar>(
-    (scene, camera, size, integrator): (&Scene<S>, &PerspectiveCamera<S>, Size, Integrator),
-    mut pixel: impl FnMut(S::Vector),
-) {
-    let columns: Vec<S> = (0..size.width())
-        .map(|i| position(i, size.width()))
-        .collect();
-    for row in 0..size.height() {
-        let sy = position(row, size.height());
-        for &sx in &columns {
-            pixel(integrator.radiance(scene, &camera.ray(sx, sy)));
+/// The machine's threads; asking the system costs more than a small picture.
+static THREADS: LazyLock<usize> =
+    LazyLock::new(|| thread::available_parallelism().map_or(1, NonZero::get));
+
+/// Pixels that are worth another thread.
+const PIXELS_PER_THREAD: usize = 1 << 16;
+
+/// Rows that a thread takes at a time.
+const ROWS_AT_A_TIME: usize = 8;
+
+impl Default for Engine {
+    /// The best level, and as many threads as the machine and the picture's size are worth.
+    fn default() -> Self {
+        Self {
+            level: Level::best(),
+            threads: None,
         }
+    }
+}
+
+impl Engine {
+    /// An engine of this level with this many threads; `None`: as many as the machine and the
+    /// picture's size are worth.
+    ///
+    /// # Errors
+    /// If the processor does not have the level.
+    pub fn new(level: Level, threads: Option<NonZero<usize>>) -> Result<Self, NoSuchLevel> {
+        if level.is_available() {
+            Ok(Self { level, threads })
+        } else {
+            Err(NoSuchLevel(level.name().to_owned()))
+        }
+    }
+
+    /// Its level.
+    pub fn level(self) -> Level {
+        self.level
+    }
+
+    /// Renders to bytes, like [`render`].
+    pub fn render<S: Dispatch>(self, chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
+        let frame = Frame::new(chain, size);
+        let mut pixels = vec![[0; 3]; size.pixels()];
+        self.share(size, &mut pixels, |first, pixels| {
+            S::dispatch(&frame, self.level, &film, first, pixels);
+        });
+        Picture::from_rendering(size, pixels.into_flattened())
+    }
+
+    /// Renders to linear radiance, like [`render_radiance`].
+    pub fn render_radiance<S: Dispatch>(self, chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
+        let frame = Frame::new(chain, size);
+        let mut pixels = vec![S::Vector::constant((), [0.0; 3]); size.pixels()];
+        self.share(size, &mut pixels, |first, pixels| {
+            S::dispatch(&frame, self.level, &Linear, first, pixels);
+        });
+        pixels
+    }
+
+    /// Draws a picture's rows, `draw(first row, pixels)`, a few at a time on each thread.
+    fn share<P: Send>(self, size: Size, pixels: &mut [P], draw: impl Fn(u32, &mut [P]) + Sync) {
+        let worth = || THREADS.min(size.pixels().div_ceil(PIXELS_PER_THREAD));
+        let threads = self.threads.map_or_else(worth, NonZero::get);
+        if threads == 1 {
+            return draw(0, pixels);
+        }
+        let parts = pixels.chunks_mut(ROWS_AT_A_TIME * size.width() as usize);
+        let parts = Mutex::new((0..).step_by(ROWS_AT_A_TIME).zip(parts));
+        let next = || parts.lock().unwrap_or_else(PoisonError::into_inner).next();
+        let work = || {
+            while let Some((first, part)) = next() {
+                draw(first, part);
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 1..threads {
+                // A thread that the system refuses leaves its share to the others.
+                let _ = thread::Builder::new().spawn_scoped(scope, work);
+            }
+            work();
+        });
     }
 }

@@ -181,8 +181,8 @@ impl<S: Scalar> Scene<S> {
         hit
     }
 
-    /// The hit point projected onto the object it lies on.
-    #[inline(always)]
+    /// The hit point projected onto the object it lies on. Not inlined: few strategies need it.
+    #[inline(never)]
     pub(crate) fn project<R: Real<Scalar = S>>(&self, hit: &HitRecord<R>) -> Projection<R> {
         let mut projection = Projection {
             point: hit.point,

@@ -2,6 +2,7 @@
 
 mod plane;
 mod sphere;
+mod wide;
 
 pub use plane::Plane;
 pub use sphere::Sphere;
@@ -59,17 +60,6 @@ pub trait Shape<S: Scalar> {
 
     /// The unit normal at a point of the shape, on the side a plane's normal shows to or outside of a sphere.
     fn normal_at<R: Real<Scalar = S>>(&self, point: R::Vector) -> R::Vector;
-}
-
-impl<R: Real> Hit<R> {
-    /// A hit found one precision up.
-    #[inline(always)]
-    fn narrow(wide: Hit<R::Wide>) -> Self {
-        Self {
-            mask: R::narrow_mask(wide.mask),
-            t: R::narrow(wide.t),
-        }
-    }
 }
 
 impl<R: Real> Projection<R> {

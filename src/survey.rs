@@ -1,12 +1,12 @@
 //! What happens at every pixel of a picture: counts by cause, where a picture shows only colours.
 
 use crate::camera::PerspectiveCamera;
+use crate::chain::{Chain, LabChain};
 use crate::film::Film;
 use crate::integrator::{DirectLighting, Integrator};
 use crate::picture::Size;
 use crate::ray::{Ray, Span};
 use crate::real::Scalar;
-use crate::render::position;
 use crate::scene::{HitRecord, Scene};
 use crate::shadow::ShadowRay;
 use crate::shape::Shape;
@@ -143,9 +143,9 @@ pub(crate) fn visit<S: Scalar>(
     mut pixel: impl FnMut(u32, u32, Pixel),
 ) {
     for y in 0..size.height() {
-        let sy = position(y, size.height());
+        let sy = LabChain::coordinate(y, size.height());
         for x in 0..size.width() {
-            let ray = camera.ray(position(x, size.width()), sy);
+            let ray = camera.ray(LabChain::coordinate(x, size.width()), sy);
             pixel(x, y, follow(scene, &ray, integrator));
         }
     }

@@ -90,12 +90,6 @@ pub trait Vector<R: Real<Vector = Self>>:
         )
     }
 
-    /// The same vector one precision up, exactly.
-    #[inline(always)]
-    fn widen(self) -> <R::Wide as Real>::Vector {
-        Vector::new(self.x().widen(), self.y().widen(), self.z().widen())
-    }
-
     /// The three components, first to third.
     #[inline(always)]
     fn to_array(self) -> [R; 3] {

@@ -1,5 +1,6 @@
 //! The plane (clauses 1.1 and 1.2).
 
+use super::wide::{one_precision_up, widen, widen_ray};
 use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
 use crate::quality::{Quality, Scale};
@@ -66,6 +67,20 @@ fn scaled_t<R: Real>(ray: &Ray<R>, point: R::Vector, normal: R::Vector) -> R {
     height / slope * (near.unit * along.reciprocal)
 }
 
+/// The parameter of the hit, computed one precision up and rounded once; NaN where there is none.
+fn wide_t<S: Scalar>(ray: &Ray<S>, span: &Span<S>, point: S::Vector, normal: S::Vector) -> S {
+    let t = scaled_t(&widen_ray(ray), widen::<S>(point), widen::<S>(normal));
+    let span = Span {
+        min: span.min.widen(),
+        max: span.max.widen(),
+    };
+    if span.contains(t) {
+        S::narrow(t)
+    } else {
+        S::from_f64(f64::NAN)
+    }
+}
+
 impl<S: Scalar> Shape<S> for Plane<S> {
     #[inline(always)]
     fn intersect<R: Real<Scalar = S>>(
@@ -87,13 +102,9 @@ impl<S: Scalar> Shape<S> for Plane<S> {
                     t,
                 }
             }
-            Quality::Wide => {
-                let t = scaled_t(&ray.widen(), point.widen(), normal.widen());
-                Hit::narrow(Hit {
-                    mask: span.widen().contains(t),
-                    t,
-                })
-            }
+            Quality::Wide => one_precision_up(ray, span, |ray, span| {
+                wide_t(ray, span, self.point, self.normal)
+            }),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The sphere (from the lab before this one).
 
+use super::wide::{one_precision_up, widen, widen_ray};
 use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
 use crate::quality::{Quality, Scale};
@@ -101,6 +102,23 @@ fn nearest<R: Real>((near, far): Roots<R>, span: &Span<R>) -> Hit<R> {
     }
 }
 
+/// The parameter of the hit, computed one precision up and rounded once; NaN where there is none.
+fn wide_t<S: Scalar>(ray: &Ray<S>, span: &Span<S>, center: S::Vector, radius: S) -> S {
+    let ray = widen_ray(ray);
+    let from_center = ray.origin - widen::<S>(center);
+    let roots = scaled_roots(from_center, ray.direction, radius.widen());
+    let span = Span {
+        min: span.min.widen(),
+        max: span.max.widen(),
+    };
+    let hit = nearest(roots, &span);
+    if hit.mask {
+        S::narrow(hit.t)
+    } else {
+        S::from_f64(f64::NAN)
+    }
+}
+
 impl<S: Scalar> Shape<S> for Sphere<S> {
     #[inline(always)]
     fn intersect<R: Real<Scalar = S>>(
@@ -118,11 +136,9 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
         match quality {
             Quality::Textbook => nearest(textbook_roots(origin - center, direction, radius), span),
             Quality::Stable => nearest(stable_roots(origin - center, direction, radius), span),
-            Quality::Wide => {
-                let from_center = origin.widen() - center.widen();
-                let roots = scaled_roots(from_center, direction.widen(), radius.widen());
-                Hit::narrow(nearest(roots, &span.widen()))
-            }
+            Quality::Wide => one_precision_up(ray, span, |ray, span| {
+                wide_t(ray, span, self.center, self.radius)
+            }),
         }
     }
 

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::picture_file;
 use crate::whole_file::WholeFile;
 use indicatif::ProgressBar;
-use ombrage::{Figure, Picture, Scalar, Size};
+use ombrage::{Dispatch, Figure, Picture, Size};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -58,7 +58,7 @@ pub enum Task<'a> {
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn work<S: Scalar>(
+pub fn work<S: Dispatch>(
     figure: &'static Figure,
     size: Size,
     task: Task,

@@ -3,7 +3,7 @@
 use super::view::View;
 use crate::draw::Area;
 use crate::error::Result;
-use ombrage::{Counts, Figure, Picture, Pixel, Scalar, Size};
+use ombrage::{Counts, Dispatch, Figure, Picture, Pixel, Size};
 
 /// A figure's pixels as its sheet shows them, and what was found at them.
 pub struct Study {
@@ -40,7 +40,7 @@ impl Findings {
     ///
     /// # Errors
     /// None for the formats there are.
-    pub fn of<S: Scalar>(figure: &Figure, size: Size, view: &View) -> Result<Self> {
+    pub fn of<S: Dispatch>(figure: &Figure, size: Size, view: &View) -> Result<Self> {
         let is_marked = mark_of(figure);
         let mut counts = Counts::default();
         let mut marked = Vec::with_capacity(view.shown.pixels());

@@ -1,0 +1,59 @@
+//! From a place in the picture to the light that comes from there.
+
+use crate::camera::PerspectiveCamera;
+use crate::integrator::Integrator;
+use crate::quality::Quality;
+use crate::real::{Real, Scalar};
+use crate::scene::Scene;
+
+/// A scene, a camera and an integrator, ready for rays. There are two: the lab's, [`LabChain`], and the
+/// kit's own, [`Relative`](crate::Relative).
+pub trait Chain<S: Scalar>: Sync {
+    /// Where a column or row of pixels is, the `index`-th of `count`, as [`radiance`](Self::radiance)
+    /// takes it.
+    fn coordinate(index: u32, count: u32) -> S;
+
+    /// The radiance, a linear colour, at a point of the picture given by the coordinates of its column
+    /// and its row.
+    fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector;
+
+    /// Whether several pixels at a time are faster than one by one.
+    fn gains_from_packets(&self) -> bool {
+        true
+    }
+}
+
+/// The lab's chain: a ray, its nearest hit, the hit point, shadow rays from there.
+#[derive(Clone, Copy, Debug)]
+pub struct LabChain<'a, S: Scalar> {
+    /// What there is to see.
+    pub scene: &'a Scene<S>,
+    /// From where.
+    pub camera: &'a PerspectiveCamera<S>,
+    /// How light is summed up.
+    pub integrator: Integrator,
+}
+
+impl<S: Scalar> Chain<S> for LabChain<'_, S> {
+    /// `index / (count - 1)`: from 0 for the first column or row to 1 for the last; the middle where
+    /// there is only one.
+    #[inline(always)]
+    fn coordinate(index: u32, count: u32) -> S {
+        if count == 1 {
+            S::from_f64(0.5)
+        } else {
+            S::from_f64(f64::from(index)) / S::from_f64(f64::from(count - 1))
+        }
+    }
+
+    #[inline(always)]
+    fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector {
+        self.integrator
+            .radiance(self.scene, &self.camera.ray(across, down))
+    }
+
+    /// The kernels one precision up are computed one by one: as packets they do not fit the registers.
+    fn gains_from_packets(&self) -> bool {
+        self.integrator.quality() != Quality::Wide
+    }
+}

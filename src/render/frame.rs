@@ -1,0 +1,180 @@
+//! Rows of a picture, as many pixels at a time as there are lanes.
+
+use crate::chain::Chain;
+use crate::film::Film;
+use crate::level::Level;
+use crate::picture::Size;
+use crate::real::{DoubleDouble, Lane, Lanes, Packet, Pair, Scalar};
+use crate::vector::Vector;
+use fearless_simd::{Simd, dispatch};
+
+/// A picture to be: everything its rows have in common.
+#[derive(Clone, Debug)]
+pub struct Frame<'a, S, C> {
+    chain: &'a C,
+    size: Size,
+    /// Where each column is; the last is repeated to fill the widest packet.
+    columns: Vec<S>,
+}
+
+/// What radiance becomes before it is stored.
+pub trait Develop<S: Scalar> {
+    /// What is stored for a pixel.
+    type Pixel: Copy;
+    /// How many pixels [`put`](Develop::put) may write beyond its own.
+    const SPILL: usize;
+
+    /// Writes the lanes' pixels to the start of a slice that has room for them and the spill.
+    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [Self::Pixel]);
+}
+
+impl<S: Scalar> Develop<S> for Film {
+    type Pixel = [u8; 3];
+    const SPILL: usize = 4;
+
+    #[inline(always)]
+    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [[u8; 3]]) {
+        let [red, green, blue] = radiance.to_array();
+        let rgb = [self.byte(red), self.byte(green), self.byte(blue)];
+        R::store_rgb(rgb, pixels.as_flattened_mut());
+    }
+}
+
+/// Radiance as it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Linear;
+
+impl<S: Scalar> Develop<S> for Linear {
+    type Pixel = S::Vector;
+    const SPILL: usize = 0;
+
+    #[inline(always)]
+    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [S::Vector]) {
+        let mut lanes = [[S::default(); 32]; 3];
+        for (lanes, component) in lanes.iter_mut().zip(radiance.to_array()) {
+            component.store(lanes);
+        }
+        for (i, pixel) in pixels[..R::LANES].iter_mut().enumerate() {
+            *pixel = S::Vector::new(lanes[0][i], lanes[1][i], lanes[2][i]);
+        }
+    }
+}
+
+impl<'a, S: Scalar, C: Chain<S>> Frame<'a, S, C> {
+    /// The picture of a chain.
+    pub fn new(chain: &'a C, size: Size) -> Self {
+        let width = size.width();
+        let columns =
+            (0..width.next_multiple_of(32)).map(|i| C::coordinate(i.min(width - 1), width));
+        Self {
+            chain,
+            size,
+            columns: columns.collect(),
+        }
+    }
+
+    /// Computes rows, from row `first` on: as many as `pixels` are, `R::LANES` pixels at a time.
+    ///
+    /// The last packet of a row, and a film's spill, write beyond the row: into the next row, which
+    /// is computed after it, or where there is none into a row of their own.
+    #[inline(always)]
+    pub fn rows<R: Lanes<Scalar = S>, D: Develop<S>>(
+        &self,
+        token: R::Token,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    ) {
+        let width = self.size.width() as usize;
+        let room = width.next_multiple_of(R::LANES) + D::SPILL;
+        let Some(&blank) = pixels.first() else { return };
+        let mut spare = vec![blank; room];
+        for (row, start) in (first..).zip((0..pixels.len()).step_by(width)) {
+            let down = R::splat(token, C::coordinate(row, self.size.height()));
+            let rest = &mut pixels[start..];
+            let has_room = rest.len() >= room;
+            let target = if has_room { &mut *rest } else { &mut spare };
+            for column in (0..width).step_by(R::LANES) {
+                let across = R::load(token, &self.columns[column..]);
+                let radiance = self.chain.radiance(across, down);
+                develop.put::<R>(radiance, &mut target[column..]);
+            }
+            if !has_room {
+                rest[..width].copy_from_slice(&spare[..width]);
+            }
+        }
+    }
+
+    /// Computes rows at a level, with two packets in flight.
+    fn in_packets<D: Develop<S>>(
+        &self,
+        level: Level,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    ) where
+        S: Lane,
+    {
+        match level.simd().filter(|_| self.chain.gains_from_packets()) {
+            None => self.rows::<S, D>((), develop, first, pixels),
+            Some(level) => dispatch!(level, simd => self.pairs(simd, develop, first, pixels)),
+        }
+    }
+
+    /// Computes rows with two packets in flight.
+    #[inline(always)]
+    fn pairs<L: Simd, D: Develop<S>>(
+        &self,
+        simd: L,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    ) where
+        S: Lane,
+    {
+        self.rows::<Pair<Packet<L, S>>, D>(simd, develop, first, pixels);
+    }
+}
+
+/// Numbers that pictures can be computed in: `f32` and `f64` in packets, double-double one by one.
+pub trait Dispatch: Scalar {
+    /// Computes rows of a picture, from row `first` on, as many as `pixels` are.
+    fn dispatch<C: Chain<Self>, D: Develop<Self>>(
+        frame: &Frame<Self, C>,
+        level: Level,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    );
+}
+
+macro_rules! dispatch_in_packets {
+    ($float:ty) => {
+        impl Dispatch for $float {
+            fn dispatch<C: Chain<Self>, D: Develop<Self>>(
+                frame: &Frame<Self, C>,
+                level: Level,
+                develop: &D,
+                first: u32,
+                pixels: &mut [D::Pixel],
+            ) {
+                frame.in_packets(level, develop, first, pixels);
+            }
+        }
+    };
+}
+
+dispatch_in_packets!(f32);
+dispatch_in_packets!(f64);
+
+impl Dispatch for DoubleDouble {
+    fn dispatch<C: Chain<Self>, D: Develop<Self>>(
+        frame: &Frame<Self, C>,
+        _: Level,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    ) {
+        frame.rows::<Self, D>((), develop, first, pixels);
+    }
+}

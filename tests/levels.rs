@@ -1,0 +1,459 @@
+//! Every level, packet width and number of threads computes the bits of the scalar path.
+
+use fearless_simd::{Simd, dispatch};
+use ombrage::*;
+use proptest::prelude::*;
+use std::fmt::Write;
+use std::num::NonZero;
+
+/// Runs `$run::<L, f32>(token, level, ...)` and the same for `f64`, at every SIMD level there is.
+macro_rules! at_every_level {
+    ($run:ident($($argument:expr),*)) => {
+        for level in Level::available() {
+            let Some(simd) = level.simd() else { continue };
+            dispatch!(simd, token => {
+                $run::<_, f32>(token, level, $($argument),*);
+                $run::<_, f64>(token, level, $($argument),*);
+            });
+        }
+    };
+}
+
+fn size(width: u32, height: u32) -> Size {
+    Size::new(width, height).unwrap()
+}
+
+fn engine(level: Level, threads: usize) -> Engine {
+    Engine::new(level, NonZero::new(threads)).unwrap()
+}
+
+/// The bits, with one answer for all NaN: IEEE 754 leaves their sign and payload open.
+fn bits<F: Float>(x: F) -> Option<u64> {
+    (!x.to_f64().is_nan()).then(|| x.bits())
+}
+
+/// A number of each kind, and numbers near the borders between kinds.
+fn special_values<F: Float>() -> Vec<F> {
+    let one = F::from_f64(1.0);
+    let whole = F::from_f64(1.0 / F::EPSILON);
+    let mut values = vec![
+        F::from_f64(0.0),
+        F::from_bits(1),
+        F::MAX,
+        one / F::from_f64(0.0),
+        whole,
+    ];
+    values.extend([1.0, 0.3, 1.5, 2.0, 255.0, 255.9, 256.0, 1e-3, 3e9, 1e19].map(F::from_f64));
+    for border in [
+        one,
+        whole,
+        whole * F::from_f64(0.25),
+        whole * F::from_f64(0.5),
+    ] {
+        values.extend([border.bits() - 1, border.bits(), border.bits() + 1].map(F::from_bits));
+    }
+    let smallest_normal = F::from_bits(1 << (F::PRECISION - 1));
+    values.extend([smallest_normal, smallest_normal - F::from_bits(1)]);
+    values.extend(values.clone().into_iter().map(|x| -x));
+    values.push(F::from_f64(f64::NAN));
+    values
+}
+
+/// Checks one word of the vocabulary on the lanes of two packets.
+fn check_word<R: Lanes<Scalar: Float>>(
+    word: &str,
+    [a, b]: [&[R::Scalar]; 2],
+    packet: R,
+    scalar: impl Fn(R::Scalar, R::Scalar) -> R::Scalar,
+) {
+    let mut lanes = [R::Scalar::default(); 32];
+    packet.store(&mut lanes);
+    for ((&a, &b), &lane) in a.iter().zip(b).zip(&lanes) {
+        let expected = scalar(a, b);
+        assert!(
+            bits(lane) == bits(expected),
+            "{word} of {a:e} ({}) and {b:e} ({}): expected {expected:e} ({}), got {lane:e} ({}) in {}",
+            a.hex(),
+            b.hex(),
+            expected.hex(),
+            lane.hex(),
+            std::any::type_name::<R>()
+        );
+    }
+}
+
+/// Checks every word of the vocabulary on every pair of special values.
+fn check_words<R: Lanes<Scalar: Float>>(token: R::Token) {
+    let values = special_values::<R::Scalar>();
+    let one = R::Scalar::from_f64(1.0);
+    for shift in 0..values.len() {
+        for start in 0..values.len() {
+            let lane = |k: usize| values[k % values.len()];
+            let a: Vec<_> = (0..R::LANES).map(|k| lane(start + k)).collect();
+            let b: Vec<_> = (0..R::LANES).map(|k| lane(start + k + shift)).collect();
+            let (x, y) = (R::load(token, &a), R::load(token, &b));
+            let (yes, no) = (x.constant(1.0), x.constant(0.0));
+            let flag = |mask| R::select(mask, yes, no);
+            let truth = |truth: bool| R::Scalar::from_f64(f64::from(u8::from(truth)));
+            let inputs = [&a[..], &b[..]];
+            check_word("+", inputs, x + y, |a, b| a + b);
+            check_word("-", inputs, x - y, |a, b| a - b);
+            check_word("*", inputs, x * y, |a, b| a * b);
+            check_word("/", inputs, x / y, |a, b| a / b);
+            check_word("neg", inputs, -x, |a, _| -a);
+            check_word("sqrt", inputs, x.sqrt(), |a, _| Real::sqrt(a));
+            check_word("trunc", inputs, x.trunc(), |a, _| Real::trunc(a));
+            check_word("abs", inputs, x.abs(), |a, _| Real::abs(a));
+            check_word("step", inputs, x.step(y), Real::step);
+            check_word("lt", inputs, flag(x.lt(y)), |a, b| truth(a < b));
+            check_word("le", inputs, flag(x.le(y)), |a, b| truth(a <= b));
+            check_word("gt", inputs, flag(x.gt(y)), |a, b| truth(a > b));
+            check_word("ge", inputs, flag(x.ge(y)), |a, b| truth(a >= b));
+            check_word("select", inputs, R::select(x.lt(y), x, y), |a, b| {
+                if a < b { a } else { b }
+            });
+            check_word("not", inputs, flag(!x.lt(y)), |a, b| truth(!Real::lt(a, b)));
+            let within = |a, b| (a < b) & (b <= one);
+            check_word("and", inputs, flag(x.lt(y) & y.le(yes)), |a, b| {
+                truth(within(a, b))
+            });
+            let outside = |a, b| (a < b) | (b <= one);
+            check_word("or", inputs, flag(x.lt(y) | y.le(yes)), |a, b| {
+                truth(outside(a, b))
+            });
+            let less = a.iter().zip(&b).any(|(a, b)| a < b);
+            assert_eq!(x.lt(y).any(), less, "any of {a:?} < {b:?}");
+        }
+    }
+    for truth in [false, true] {
+        assert_eq!(R::mask(token, truth).any(), truth);
+        assert_eq!((!R::mask(token, truth)).any(), !truth);
+    }
+    check_word(
+        "splat",
+        [&values[..1], &values[..1]],
+        R::splat(token, values[0]),
+        |a, _| a,
+    );
+}
+
+fn check_packet_and_pair<L: Simd, F: Lane>(token: L, _: Level) {
+    check_words::<Packet<L, F>>(token);
+    check_words::<Pair<Packet<L, F>>>(token);
+}
+
+#[test]
+fn every_word_has_the_scalars_bits() {
+    at_every_level!(check_packet_and_pair());
+}
+
+/// Checks that every byte ends where it belongs, and no more is written than may be.
+fn check_stored_bytes<R: Lanes>(token: R::Token) {
+    let color = |start: usize| -> Vec<R::Scalar> {
+        let bytes = (0..R::LANES).map(|k| (start + 5 * k) % 256);
+        bytes.map(|byte| R::Scalar::from_f64(byte as f64)).collect()
+    };
+    for start in 0..256 {
+        let colors = [color(start), color(start + 101), color(start + 202)];
+        let mut bytes = [7; 3 * 64];
+        let rgb = colors.each_ref().map(|color| R::load(token, color));
+        R::store_rgb(rgb, &mut bytes);
+        for (k, pixel) in bytes.as_chunks::<3>().0.iter().enumerate() {
+            let expected = colors
+                .each_ref()
+                .map(|color| color.get(k).map(|x| x.to_f64() as u8));
+            match expected {
+                [Some(r), Some(g), Some(b)] => assert_eq!(pixel, &[r, g, b], "pixel {k}"),
+                _ if k < R::LANES + R::SPILL => {}
+                _ => assert_eq!(pixel, &[7; 3], "pixel {k} is beyond the spill"),
+            }
+        }
+    }
+}
+
+fn check_bytes<L: Simd, F: Lane>(token: L, _: Level) {
+    check_stored_bytes::<F>(());
+    check_stored_bytes::<Packet<L, F>>(token);
+    check_stored_bytes::<Pair<Packet<L, F>>>(token);
+}
+
+#[test]
+fn bytes_are_stored_in_place() {
+    at_every_level!(check_bytes());
+}
+
+/// A picture to be rendered in every way.
+#[derive(Clone, Debug)]
+struct Shot {
+    scene: Scene<f64>,
+    view: View<f64>,
+    size: Size,
+    integrator: Integrator,
+    film: Film,
+}
+
+impl Shot {
+    /// The first place where radiance differs, bit by bit.
+    fn difference<F: Float>(&self, found: &[F::Vector], expected: &[F::Vector]) -> Option<String> {
+        assert_eq!(found.len(), self.size.pixels());
+        let width = self.size.width() as usize;
+        let mut pairs = found.iter().zip(expected).enumerate();
+        let (i, (&found, &expected)) = pairs.find(|(_, (found, expected))| {
+            found.to_array().map(bits) != expected.to_array().map(bits)
+        })?;
+        let mut report = format!("column {}, row {}:", i % width, i / width);
+        for (found, expected) in found.to_array().into_iter().zip(expected.to_array()) {
+            let _ = write!(report, " {found:e} for {expected:e}");
+        }
+        Some(report)
+    }
+
+    /// Compares what one packet, and the engine's two in flight, compute with the scalar path.
+    fn check<L: Simd, F: Lane + Dispatch>(&self, token: L, level: Level) {
+        // A scene may be valid in `f64` and not in `f32`.
+        let Ok(scene) = self.scene.cast::<F>() else {
+            return;
+        };
+        let aspect = F::from_f64(self.size.aspect());
+        let Ok(camera) = PerspectiveCamera::new(&self.view.cast(), aspect) else {
+            return;
+        };
+        let integrator = self.integrator;
+        let chain = LabChain {
+            scene: &scene,
+            camera: &camera,
+            integrator,
+        };
+        self.check_chain(token, level, &chain);
+        for lighting in [Lighting::Eye, Lighting::Unshadowed, Lighting::Shadowed] {
+            let relative = Relative::<F>::new(&self.scene, &self.view, self.size, lighting);
+            self.check_chain(token, level, &relative.unwrap());
+        }
+    }
+
+    fn check_chain<L: Simd, F: Lane + Dispatch>(
+        &self,
+        token: L,
+        level: Level,
+        chain: &impl Chain<F>,
+    ) {
+        let Self { size, film, .. } = *self;
+        let (scalar, packets) = (engine(Level::Scalar, 1), engine(level, 1));
+        let expected = scalar.render_radiance(chain, size);
+        let found = packets.render_radiance(chain, size);
+        let name = std::any::type_name_of_val(chain);
+        assert_eq!(
+            self.difference::<F>(&found, &expected),
+            None,
+            "two packets of {name} at {level}"
+        );
+
+        let mut found = vec![F::Vector::constant((), [-1.0; 3]); size.pixels()];
+        Frame::new(chain, size).rows::<Packet<L, F>, _>(token, &Linear, 0, &mut found);
+        assert_eq!(
+            self.difference::<F>(&found, &expected),
+            None,
+            "one packet of {name} at {level}"
+        );
+
+        let expected = scalar.render(chain, size, film);
+        let found = packets.render(chain, size, film);
+        assert!(
+            found == expected,
+            "bytes of two packets of {name} at {level}"
+        );
+    }
+}
+
+fn check_shot<L: Simd, F: Lane + Dispatch>(token: L, level: Level, shot: &Shot) {
+    shot.check::<L, F>(token, level);
+}
+
+fn lab_shot(figure: &Figure, size: Size) -> Shot {
+    Shot {
+        scene: lab::scene().unwrap(),
+        view: lab::view(),
+        size,
+        integrator: figure.integrator,
+        film: figure.film,
+    }
+}
+
+#[test]
+fn every_figure_has_the_scalars_bits_in_every_size() {
+    for figure in FIGURES {
+        for size in [size(1, 1), size(7, 5), size(33, 17), size(65, 3), Size::LAB] {
+            at_every_level!(check_shot(&lab_shot(&figure, size)));
+        }
+    }
+}
+
+/// Engines of every level agree, and so do bytes and radiance of the default one.
+#[test]
+fn every_engine_draws_the_same_figure() {
+    fn check<F: Float + Dispatch>() {
+        let scene = lab::scene::<F>().unwrap();
+        let camera = PerspectiveCamera::new(&lab::view(), F::from_f64(1.5)).unwrap();
+        let figure = Figure::named("3a").unwrap();
+        let Figure {
+            integrator, film, ..
+        } = *figure;
+        let reference = engine(Level::Scalar, 1);
+        let chain = LabChain {
+            scene: &scene,
+            camera: &camera,
+            integrator,
+        };
+        let bytes = reference.render(&chain, Size::LAB, film);
+        let radiance = reference.render_radiance(&chain, Size::LAB);
+        assert_eq!(render(&chain, Size::LAB, film), bytes);
+        assert!(render_radiance(&chain, Size::LAB) == radiance);
+        for level in Level::available() {
+            for threads in [1, 2, 3, 64] {
+                let engine = engine(level, threads);
+                let found = engine.render(&chain, Size::LAB, film);
+                assert!(found == bytes, "bytes at {level} with {threads} threads");
+                let found = engine.render_radiance(&chain, Size::LAB);
+                assert!(
+                    found == radiance,
+                    "radiance at {level} with {threads} threads"
+                );
+            }
+        }
+    }
+    check::<f32>();
+    check::<f64>();
+}
+
+#[test]
+fn threads_do_not_change_small_pictures() {
+    let camera = PerspectiveCamera::new(&lab::view::<f32>(), 1.0).unwrap();
+    let scene = lab::scene::<f32>().unwrap();
+    let Figure {
+        integrator, film, ..
+    } = *Figure::named("3c").unwrap();
+    let chain = LabChain {
+        scene: &scene,
+        camera: &camera,
+        integrator,
+    };
+    for size in [size(1, 1), size(1, 40), size(40, 1), size(9, 17)] {
+        let one = engine(Level::best(), 1).render(&chain, size, film);
+        for threads in 2..9 {
+            let many = engine(Level::best(), threads);
+            assert_eq!(many.render(&chain, size, film), one);
+        }
+    }
+}
+
+#[test]
+fn a_level_that_the_processor_lacks_is_an_error_that_lists_what_there_is() {
+    let absent = Level::ALL.into_iter().find(|level| !level.is_available());
+    let absent = absent.expect("no processor is both x86 and ARM");
+    let error = Engine::new(absent, None).unwrap_err();
+    assert_eq!(error, NoSuchLevel(absent.name().to_owned()));
+    let names: Vec<_> = Level::available().map(Level::name).collect();
+    let expected = format!(
+        "level is {absent:?}, but must be auto, {}: this processor has no other",
+        names.join(", "),
+        absent = absent.name()
+    );
+    assert_eq!(error.to_string(), expected);
+    assert!("avx3".parse::<Level>().is_err());
+}
+
+#[test]
+fn a_level_is_read_from_its_name() {
+    for level in Level::ALL {
+        assert_eq!(level.to_string().parse(), Ok(level));
+    }
+    assert_eq!("auto".parse(), Ok(Level::best()));
+    assert_eq!(Engine::default().level(), Level::best());
+}
+
+/// Coordinates near the camera, at times on a grid that makes hits exact, at times far or tiny.
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        6 => -4.0..4.0,
+        2 => (-4i8..=4).prop_map(f64::from),
+        1 => (-1.0..1.0, -46i32..20).prop_map(|(x, e)| x * 10f64.powi(e)),
+    ]
+}
+
+fn vector() -> impl Strategy<Value = glam::DVec3> {
+    [coordinate(), coordinate(), coordinate()].prop_map(glam::DVec3::from_array)
+}
+
+fn length() -> impl Strategy<Value = f64> {
+    prop_oneof![6 => 0.1..6.0, 1 => (0.1..1.0, -44i32..12).prop_map(|(x, e)| x * 10f64.powi(e))]
+}
+
+fn color() -> impl Strategy<Value = glam::DVec3> {
+    [0.0..1.5, 0.0..1.5, 0.0..1.5].prop_map(glam::DVec3::from_array)
+}
+
+fn integrator() -> impl Strategy<Value = Integrator> {
+    let shadow = prop_oneof![
+        1 => Just(None),
+        7 => prop::sample::select(Shadow::ALL.as_slice()).prop_map(Some),
+    ];
+    let query = prop_oneof![Just(ShadowQuery::Nearest), Just(ShadowQuery::Any)];
+    let quality = prop::sample::select(Quality::ALL.as_slice());
+    (quality, shadow, query, 0..8).prop_map(|(quality, shadow, query, lights)| match lights {
+        0 => Integrator::RayCast(quality),
+        _ => Integrator::DirectLighting(DirectLighting {
+            quality,
+            shadow,
+            query,
+        }),
+    })
+}
+
+prop_compose! {
+    /// Up to five spheres, three planes and three lights; the camera may be inside a sphere.
+    fn scene()(
+        background in color(),
+        t_max in prop_oneof![Just(f64::INFINITY), 1.0..1e4],
+        spheres in prop::collection::vec((vector(), length(), color()), 0..6),
+        planes in prop::collection::vec((vector(), vector(), color()), 0..4),
+        lights in prop::collection::vec((vector(), color(), 0.0..200.0), 0..4),
+    ) -> Scene<f64> {
+        let mut scene = Scene::new(background, t_max).unwrap();
+        for (center, radius, color) in spheres {
+            scene = scene.with_sphere(Sphere::new(center, radius).unwrap(), color).unwrap();
+        }
+        for (point, normal, color) in planes {
+            if let Ok(plane) = Plane::new(point, normal) {
+                scene = scene.with_plane(plane, color).unwrap();
+            }
+        }
+        for (position, color, power) in lights {
+            scene = scene.with_light(PointLight::new(position, color, power).unwrap());
+        }
+        scene
+    }
+}
+
+prop_compose! {
+    fn shot()(
+        scene in scene(),
+        position in vector(),
+        look_at in vector(),
+        fov in 20.0..150.0,
+        size in prop_oneof![Just(size(7, 5)), Just(size(33, 17)), Just(size(65, 3)), Just(size(40, 30))],
+        integrator in integrator(),
+        film in prop_oneof![Just(Film::Clamp), Just(Film::Wrap)],
+    ) -> Shot {
+        let view = View { position, look_at, up: glam::dvec3(0.1, 1.0, 0.05), fov };
+        Shot { scene, view, size, integrator, film }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn any_scene_has_the_scalars_bits(shot in shot()) {
+        at_every_level!(check_shot(&shot));
+    }
+}
