@@ -150,6 +150,7 @@ fn report(rows: Vec<Row>, args: &Args) -> Result<String> {
 }
 
 /// Does `work` for every figure, on as many threads as there are cores, in the figures' order.
+/// After a failure no other figure is begun.
 ///
 /// Large pictures take turns, so that no more than 2^28 pixels are in memory at a time.
 fn all<T: Send>(
@@ -165,10 +166,16 @@ fn all<T: Send>(
         let workers: Vec<_> = (0..cores.min(in_memory).min(figures.len()))
             .map(|_| {
                 scope.spawn(|| {
-                    let results = std::iter::from_fn(next);
+                    let mut results = vec![];
+                    while let Some((number, figure)) = next() {
+                        let result = work(figure);
+                        let failed = result.is_err();
+                        results.push((number, result));
+                        if failed {
+                            while next().is_some() {}
+                        }
+                    }
                     results
-                        .map(|(number, figure)| (number, work(figure)))
-                        .collect::<Vec<_>>()
                 })
             })
             .collect();
