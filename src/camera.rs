@@ -39,33 +39,14 @@ impl<S: Scalar> PerspectiveCamera<S> {
     /// If a vector is not finite, the view has no direction, `up` is parallel to it, the field of
     /// view is not between 0 and 180 degrees, or the aspect is not finite and greater than 0.
     pub fn new(view: &View<S>, aspect: S) -> Result<Self, Invalid> {
-        let position = Invalid::unless_finite::<S>("camera position", view.position)?;
-        let look_at = Invalid::unless_finite::<S>("camera look_at", view.look_at)?;
-        let up = Invalid::unless_finite::<S>("camera up", view.up)?;
-        let open = view.fov.to_f64() > 0.0 && view.fov.to_f64() < 180.0;
-        let fov = Invalid::unless(open, "camera fov", view.fov, "between 0 and 180 degrees")?;
-        let valid = aspect.is_finite() && aspect.to_f64() > 0.0;
-        let aspect = Invalid::unless(valid, "aspect", aspect, "finite and greater than 0")?;
-
-        let backward = (position - look_at).normalized();
-        let has_direction = backward.to_array().into_iter().all(Scalar::is_finite);
-        let must_be = "another point than the camera's position";
-        Invalid::unless_vector::<S>(has_direction, "camera look_at", look_at, must_be)?;
-        let right = up.cross(backward).normalized();
-        let upright = right.to_array().into_iter().all(Scalar::is_finite);
-        let must_be = "a direction that is not parallel to the view";
-        Invalid::unless_vector::<S>(upright, "camera up", up, must_be)?;
-
-        let viewport_height = S::tan_half(fov) * S::from_f64(2.0);
-        let width = right * (viewport_height * aspect);
-        let height = backward.cross(right) * viewport_height;
-        let half = S::from_f64(0.5);
-        let top_left = height * half - width * half - backward;
+        let Axes { forward, right, up } = view.axes(aspect)?;
+        let two = S::from_f64(2.0);
+        let top_left = up - right + forward;
         Ok(Self {
-            position,
+            position: view.position,
             top_left,
-            width,
-            height,
+            width: right * two,
+            height: up * two,
         })
     }
 
@@ -81,6 +62,45 @@ impl<S: Scalar> PerspectiveCamera<S> {
             origin: R::Vector::splat(token, self.position),
             direction: through.normalized(),
         }
+    }
+}
+
+/// Three directions at right angles: from the camera to the middle of the viewport at distance 1, and
+/// from there to the middle of its right and its upper edge.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Axes<S: Scalar> {
+    pub forward: S::Vector,
+    pub right: S::Vector,
+    pub up: S::Vector,
+}
+
+impl<S: Scalar> View<S> {
+    /// The viewport's axes, for pictures of the given aspect.
+    pub(crate) fn axes(&self, aspect: S) -> Result<Axes<S>, Invalid> {
+        let position = Invalid::unless_finite::<S>("camera position", self.position)?;
+        let look_at = Invalid::unless_finite::<S>("camera look_at", self.look_at)?;
+        let up = Invalid::unless_finite::<S>("camera up", self.up)?;
+        let open = self.fov.to_f64() > 0.0 && self.fov.to_f64() < 180.0;
+        let fov = Invalid::unless(open, "camera fov", self.fov, "between 0 and 180 degrees")?;
+        let valid = aspect.is_finite() && aspect.to_f64() > 0.0;
+        let aspect = Invalid::unless(valid, "aspect", aspect, "finite and greater than 0")?;
+
+        let backward = (position - look_at).normalized();
+        let has_direction = backward.to_array().into_iter().all(Scalar::is_finite);
+        let must_be = "another point than the camera's position";
+        Invalid::unless_vector::<S>(has_direction, "camera look_at", look_at, must_be)?;
+        let right = up.cross(backward).normalized();
+        let upright = right.to_array().into_iter().all(Scalar::is_finite);
+        let must_be = "a direction that is not parallel to the view";
+        Invalid::unless_vector::<S>(upright, "camera up", up, must_be)?;
+
+        let tangent = S::tan_half(fov);
+        let up = backward.cross(right) * tangent;
+        Ok(Axes {
+            forward: -backward,
+            right: right * (tangent * aspect),
+            up,
+        })
     }
 }
 

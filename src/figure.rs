@@ -6,13 +6,14 @@ use crate::film::Film;
 use crate::integrator::{DirectLighting, Integrator, ShadowQuery};
 use crate::lab;
 use crate::picture::{Picture, Size};
+use crate::quality::Quality;
 use crate::real::Scalar;
 use crate::render::render;
 use crate::shadow::Shadow;
 use crate::survey::{Pixel, Survey, visit};
 
 /// One figure of the lab: how the lab's scene is drawn for it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Figure {
     /// Its number: `1`, `2a`, `2b`, `3a`, `3b` or `3c`.
     pub name: &'static str,
@@ -44,6 +45,7 @@ pub struct Detail {
 
 const fn direct(shadow: Option<Shadow>) -> Integrator {
     Integrator::DirectLighting(DirectLighting {
+        quality: Quality::Textbook,
         shadow,
         query: ShadowQuery::Any,
     })
@@ -55,7 +57,7 @@ pub const FIGURES: [Figure; 6] = [
         name: "1",
         title: "a plane joins the sphere; the light is at the eye",
         clause: "1.3",
-        integrator: Integrator::RayCast,
+        integrator: Integrator::RayCast(Quality::Textbook),
         film: Film::Clamp,
         detail: None,
     },

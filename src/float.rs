@@ -4,10 +4,7 @@ use crate::real::{Real, Scalar};
 use std::fmt::{Debug, Display, LowerExp};
 
 /// `f32` or `f64`: a scalar whose bits can be seen, and compared place by place.
-pub trait Float: Scalar<Vector: Copy + PartialEq> + Debug + Display + LowerExp {
-    /// The next format up, in which every product of two numbers of this one is exact or nearly so.
-    type Wide: Scalar;
-
+pub trait Float: Scalar + Debug + Display + LowerExp {
     /// Bits of precision, the leading one included: 24 or 53.
     const PRECISION: u32;
 
@@ -29,6 +26,7 @@ macro_rules! float {
             type Mask = bool;
             type Vector = $vector;
             type Token = ();
+            type Wide = $wide;
 
             #[inline(always)]
             fn token(self) {}
@@ -61,6 +59,11 @@ macro_rules! float {
             }
 
             #[inline(always)]
+            fn binade(self) -> $float {
+                <$float>::from_bits(self.to_bits() & <$float>::INFINITY.to_bits())
+            }
+
+            #[inline(always)]
             fn lt(self, other: $float) -> bool {
                 self < other
             }
@@ -74,11 +77,24 @@ macro_rules! float {
             fn select(mask: bool, yes: $float, no: $float) -> $float {
                 if mask { yes } else { no }
             }
+
+            #[inline(always)]
+            fn widen(self) -> $wide {
+                <$wide>::from_f64(self.to_f64())
+            }
+
+            #[inline(always)]
+            fn narrow(wide: $wide) -> $float {
+                <$float>::from_f64(wide.to_f64())
+            }
+
+            #[inline(always)]
+            fn narrow_mask(mask: bool) -> bool {
+                mask
+            }
         }
 
         impl Float for $float {
-            type Wide = $wide;
-
             const PRECISION: u32 = $float::MANTISSA_DIGITS;
 
             fn bits(self) -> u64 {
@@ -122,7 +138,7 @@ impl Scalar for f32 {
     const NAME: &'static str = "f32";
     const EPSILON: f64 = f32::EPSILON as f64;
     const MAX: f32 = f32::MAX;
-    const TINY: f32 = f32::from_bits(1);
+    const MIN_POSITIVE: f64 = f32::MIN_POSITIVE as f64;
 
     #[inline(always)]
     fn from_f64(value: f64) -> f32 {
@@ -143,7 +159,7 @@ impl Scalar for f64 {
     const NAME: &'static str = "f64";
     const EPSILON: f64 = f64::EPSILON;
     const MAX: f64 = f64::MAX;
-    const TINY: f64 = f64::from_bits(1);
+    const MIN_POSITIVE: f64 = f64::MIN_POSITIVE;
 
     #[inline(always)]
     fn from_f64(value: f64) -> f64 {

@@ -1,31 +1,46 @@
 //! Integrators: how much light comes along a ray.
 
+use crate::quality::Quality;
 use crate::ray::{Ray, Span};
-use crate::real::{Mask, Real};
+use crate::real::{Mask, Real, Scalar};
 use crate::scene::{HitRecord, Scene};
-use crate::shadow::Shadow;
+use crate::shadow::{Shadow, ShadowRay};
 use crate::vector::Vector;
 
+/// A way from a point of the picture to the light that comes from there: a scene and a camera, made
+/// ready for rays.
+pub trait Chain<S: Scalar>: Sync {
+    /// Where a column or row of pixels is, of `count`, as [`radiance`](Self::radiance) takes it.
+    fn coordinate(index: u32, count: u32) -> S;
+
+    /// The radiance, a linear colour, at a point of the picture given by the coordinates of its column
+    /// and its row.
+    fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector;
+}
+
 /// The light that comes along a ray.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Integrator {
     /// A lamp at the eye: `color * max(0, dot(normal, -direction))` (Figure 1).
-    RayCast,
+    RayCast(Quality),
     /// The scene's lights (clause 3.1).
     DirectLighting(DirectLighting),
 }
 
 /// Direct light: the sum over all lights of `color * radiance * max(0, dot(normal, to light))`; no
 /// division by π, no albedo. The lab's `DirectLightingIntegrator`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectLighting {
+    /// How well rays, shadow rays and light samples are computed.
+    pub quality: Quality,
     /// How shadow rays start; `None` casts none, and everything is lit.
     pub shadow: Option<Shadow>,
     /// What shadow rays ask the scene.
     pub query: ShadowQuery,
 }
 
-/// The question a shadow ray asks (clause 5). Both have the same answer.
+/// The question a shadow ray asks (clause 5). Both have the same answer. Under
+/// [`Shadow::SkipSelf`] it is always the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShadowQuery {
     /// Is the nearest hit before the light? Clause 4.1, by `intersect`.
@@ -35,18 +50,39 @@ pub enum ShadowQuery {
 }
 
 impl Integrator {
+    /// How well its kernels compute.
+    #[inline(always)]
+    pub fn quality(self) -> Quality {
+        match self {
+            Integrator::RayCast(quality) => quality,
+            Integrator::DirectLighting(direct) => direct.quality,
+        }
+    }
+
+    /// The same with kernels of another quality.
+    #[inline(always)]
+    #[must_use]
+    pub fn with_quality(self, quality: Quality) -> Self {
+        match self {
+            Integrator::RayCast(_) => Integrator::RayCast(quality),
+            Integrator::DirectLighting(direct) => {
+                Integrator::DirectLighting(DirectLighting { quality, ..direct })
+            }
+        }
+    }
+
     /// The radiance along a ray: a linear colour; the background's where nothing is hit.
     #[inline(always)]
     pub fn radiance<R: Real>(self, scene: &Scene<R::Scalar>, ray: &Ray<R>) -> R::Vector {
         let zero = ray.origin.x().constant(0.0);
         let background = R::Vector::splat(zero.token(), scene.background());
         let span = Span::new(zero, R::splat(zero.token(), scene.t_max()));
-        let hit = scene.intersect(ray, &span);
+        let hit = scene.intersect(ray, &span, self.quality());
         if !hit.mask.any() {
             return background;
         }
         let radiance = match self {
-            Integrator::RayCast => hit.color * cosine::<R>(hit.normal, -ray.direction),
+            Integrator::RayCast(_) => hit.color * cosine::<R>(hit.normal, -ray.direction),
             Integrator::DirectLighting(direct) => direct.radiance(scene, &hit),
         };
         R::Vector::select(hit.mask, radiance, background)
@@ -60,7 +96,7 @@ impl DirectLighting {
         let zero = hit.distance.constant(0.0);
         let mut sum = R::Vector::new(zero, zero, zero);
         for light in scene.lights() {
-            let sample = light.sample(hit.point);
+            let sample = light.sample::<R>(hit.point, self.quality);
             let cosine = cosine::<R>(hit.normal, sample.direction);
             let facing = hit.mask & cosine.gt(zero);
             if !facing.any() {
@@ -69,8 +105,8 @@ impl DirectLighting {
             let visible = match self.shadow {
                 None => facing,
                 Some(shadow) => {
-                    let (ray, span) = shadow.ray(hit, sample.direction, sample.distance);
-                    facing & !self.query.blocked(scene, &ray, &span)
+                    let ray = shadow.ray(scene, hit, sample.direction, sample.distance);
+                    facing & !self.blocked(scene, &ray)
                 }
             };
             let lit = sum + hit.color * sample.radiance * cosine;
@@ -78,15 +114,14 @@ impl DirectLighting {
         }
         sum
     }
-}
 
-impl ShadowQuery {
     /// Whether anything stands on this part of the ray.
     #[inline(always)]
-    fn blocked<R: Real>(self, scene: &Scene<R::Scalar>, ray: &Ray<R>, span: &Span<R>) -> R::Mask {
-        match self {
-            ShadowQuery::Nearest => scene.intersect(ray, span).mask,
-            ShadowQuery::Any => scene.intersect_any(ray, span),
+    fn blocked<R: Real>(self, scene: &Scene<R::Scalar>, shadow: &ShadowRay<R>) -> R::Mask {
+        let ShadowRay { ray, span, skip } = shadow;
+        match (self.query, skip) {
+            (ShadowQuery::Nearest, None) => scene.intersect(ray, span, self.quality).mask,
+            _ => scene.intersect_other(ray, span, self.quality, *skip),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Point lights (clauses 2.1 to 2.3).
 
 use crate::error::Invalid;
+use crate::quality::{Quality, Scale};
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
 
@@ -57,19 +58,38 @@ impl<S: Scalar> PointLight<S> {
         self.power
     }
 
-    /// The sample of the light from `point` (clause 2.3). Not finite at the light itself, where no direction exists.
+    /// The sample of the light from `point` (clause 2.3). Not finite at the light itself, where no
+    /// direction exists.
+    ///
+    /// [`Quality::Textbook`] squares the distance as it is; the others scale it by a power of two
+    /// first, so that the square neither overflows nor underflows where the radiance does not.
     #[inline(always)]
-    pub fn sample<R: Real<Scalar = S>>(&self, point: R::Vector) -> LightSample<R> {
+    pub fn sample<R: Real<Scalar = S>>(
+        &self,
+        point: R::Vector,
+        quality: Quality,
+    ) -> LightSample<R> {
         let token = point.x().token();
         let to_light = R::Vector::splat(token, self.position) - point;
-        let distance_squared = to_light.dot(to_light);
-        let distance = distance_squared.sqrt();
+        let (color, power) = (
+            R::Vector::splat(token, self.color),
+            R::splat(token, self.power),
+        );
+        let one = power.constant(1.0);
+        let Scale { unit, reciprocal } = match quality {
+            Quality::Textbook => Scale {
+                unit: one,
+                reciprocal: one,
+            },
+            Quality::Stable | Quality::Wide => Scale::<R>::of_vector(to_light),
+        };
+        let to_light = to_light * reciprocal;
+        let square = to_light.dot(to_light);
         LightSample {
-            direction: to_light * (distance.constant(1.0) / distance),
-            distance,
-            radiance: R::Vector::splat(token, self.color)
-                * (R::splat(token, self.power) / distance_squared),
-            pdf: distance.constant(1.0),
+            direction: to_light.normalized(),
+            distance: square.sqrt() * unit,
+            radiance: color * (power / square * reciprocal * reciprocal),
+            pdf: one,
         }
     }
 }

@@ -19,6 +19,15 @@ impl<R: Real> Ray<R> {
         self.origin + self.direction * t
     }
 
+    /// The same ray one precision up.
+    #[inline(always)]
+    pub fn widen(&self) -> Ray<R::Wide> {
+        Ray {
+            origin: self.origin.widen(),
+            direction: self.direction.widen(),
+        }
+    }
+
     /// The same ray with its origin moved a little along the unit vector `normal`, clear of the surface it starts on (clause 4.3,
     /// the lab's `Ray::offset`).
     ///
@@ -63,6 +72,15 @@ impl<R: Real> Span<R> {
         Self {
             min,
             max: R::select(max.gt(largest), largest, max),
+        }
+    }
+
+    /// The same interval one precision up.
+    #[inline(always)]
+    pub fn widen(&self) -> Span<R::Wide> {
+        Span {
+            min: self.min.widen(),
+            max: self.max.widen(),
         }
     }
 

@@ -49,6 +49,8 @@ pub trait Real:
     type Vector: Vector<Self>;
     /// What it takes to make such a number from nothing. Scalars need nothing.
     type Token: Copy;
+    /// The format one precision up: `f64` for `f32`, double-double for `f64`.
+    type Wide: Real;
 
     /// The token this number was made with.
     fn token(self) -> Self::Token;
@@ -64,12 +66,22 @@ pub trait Real:
     ///
     /// Crossing zero is not defined; [`Ray::offset`](crate::Ray::offset) stays away from it.
     fn step(self, count: Self) -> Self;
+    /// The largest power of two that is not above the magnitude: the value of the leading bit. 0 for
+    /// zero and for numbers below the smallest normal one; infinity for infinities and NaN.
+    fn binade(self) -> Self;
     /// `self < other`; false where either is NaN.
     fn lt(self, other: Self) -> Self::Mask;
     /// `self <= other`; false where either is NaN.
     fn le(self, other: Self) -> Self::Mask;
     /// `yes` in the lanes where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// The same number one precision up, exactly.
+    fn widen(self) -> Self::Wide;
+    /// A number of the next precision, rounded to this one.
+    fn narrow(wide: Self::Wide) -> Self;
+    /// An answer of the next precision, for this one.
+    fn narrow_mask(mask: <Self::Wide as Real>::Mask) -> Self::Mask;
 
     /// `self > other`; false where either is NaN.
     #[inline(always)]
@@ -98,7 +110,7 @@ pub trait Real:
 
 /// A number with one lane: `f32`, `f64` or [`DoubleDouble`].
 pub trait Scalar:
-    Real<Scalar = Self, Mask = bool, Token = ()>
+    Real<Scalar = Self, Mask = bool, Token = (), Vector: PartialEq + Send + Sync>
     + PartialEq
     + PartialOrd
     + Default
@@ -112,13 +124,17 @@ pub trait Scalar:
     const EPSILON: f64;
     /// The largest finite number.
     const MAX: Self;
-    /// The smallest number above zero.
-    const TINY: Self;
+    /// The smallest normal number above zero.
+    const MIN_POSITIVE: f64;
 
     /// Rounds to this format, to nearest, ties to even.
     fn from_f64(value: f64) -> Self;
     /// Rounds to `f64`, to nearest, ties to even.
     fn to_f64(self) -> f64;
+    /// Rounds to this format; at most 1 unit in the last place off for `f32`, which is rounded twice.
+    fn from_double_double(value: DoubleDouble) -> Self {
+        Self::from_f64(value.to_f64())
+    }
     /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on every machine.
     fn tan_half(degrees: Self) -> Self;
 

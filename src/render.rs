@@ -4,6 +4,7 @@ use crate::camera::PerspectiveCamera;
 use crate::film::Film;
 use crate::integrator::Integrator;
 use crate::picture::{Picture, Size};
+use crate::quality::Quality;
 use crate::real::Scalar;
 use crate::scene::Scene;
 use crate::vector::Vector;
@@ -40,6 +41,21 @@ pub fn render_radiance<S: Scalar>(
     camera: &PerspectiveCamera<S>,
     size: Size,
     integrator: Integrator,
+    pixel: impl FnMut(S::Vector),
+) {
+    let rows = |quality| (scene, camera, size, integrator.with_quality(quality));
+    // A copy of the loop for each quality, so that the widest kernel does not slow down the others.
+    match integrator.quality() {
+        Quality::Textbook => render_rows(rows(Quality::Textbook), pixel),
+        Quality::Stable => render_rows(rows(Quality::Stable), pixel),
+        Quality::Wide => render_rows(rows(Quality::Wide), pixel),
+    }
+}
+
+/// Every row of a picture, by an integrator whose quality the compiler knows.
+#[inline(always)]
+fn render_rows<S: Scalar>(
+    (scene, camera, size, integrator): (&Scene<S>, &PerspectiveCamera<S>, Size, Integrator),
     mut pixel: impl FnMut(S::Vector),
 ) {
     let columns: Vec<S> = (0..size.width())

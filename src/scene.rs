@@ -2,9 +2,10 @@
 
 use crate::error::Invalid;
 use crate::light::PointLight;
+use crate::quality::Quality;
 use crate::ray::{Ray, Span};
 use crate::real::{Mask, Real, Scalar};
-use crate::shape::{Plane, Shape, Sphere};
+use crate::shape::{Plane, Projection, Shape, Sphere};
 use crate::vector::Vector;
 
 /// A shape with its material: one flat linear colour.
@@ -125,15 +126,20 @@ impl<S: Scalar> Scene<S> {
     /// The nearest hit in the interval, of all objects (clause 1.2). Of two at the same distance, the
     /// one with the lower number.
     #[inline(always)]
-    pub fn intersect<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> HitRecord<R> {
+    pub fn intersect<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> HitRecord<R> {
         let mut nearest = HitRecord::none(ray);
         let mut number = 0.0;
         for sphere in &self.spheres {
-            nearest.keep_nearer(ray, span, sphere, number);
+            nearest.keep_nearer(ray, span, quality, sphere, number);
             number += 1.0;
         }
         for plane in &self.planes {
-            nearest.keep_nearer(ray, span, plane, number);
+            nearest.keep_nearer(ray, span, quality, plane, number);
             number += 1.0;
         }
         nearest
@@ -141,21 +147,76 @@ impl<S: Scalar> Scene<S> {
 
     /// Whether there is any hit in the interval; stops at the first (clause 5.1).
     #[inline(always)]
-    pub fn intersect_any<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> R::Mask {
+    pub fn intersect_any<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> R::Mask {
+        self.intersect_other(ray, span, quality, None)
+    }
+
+    /// The same, of all objects but the one of number `skip`.
+    #[inline(always)]
+    pub fn intersect_other<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+        skip: Option<R>,
+    ) -> R::Mask {
         let mut hit = R::mask(span.max.token(), false);
-        for sphere in &self.spheres {
-            hit = hit | sphere.shape.intersect_any(ray, span);
+        for (number, sphere) in (0..).zip(&self.spheres) {
+            hit = hit | other(sphere.shape.intersect_any(ray, span, quality), skip, number);
             if !(!hit).any() {
                 return hit;
             }
         }
-        for plane in &self.planes {
-            hit = hit | plane.shape.intersect_any(ray, span);
+        for (number, plane) in (self.spheres.len()..).zip(&self.planes) {
+            hit = hit | other(plane.shape.intersect_any(ray, span, quality), skip, number);
             if !(!hit).any() {
                 return hit;
             }
         }
         hit
+    }
+
+    /// The hit point projected onto the object it lies on.
+    #[inline(always)]
+    pub(crate) fn project<R: Real<Scalar = S>>(&self, hit: &HitRecord<R>) -> Projection<R> {
+        let mut projection = Projection {
+            point: hit.point,
+            error: hit.point,
+        };
+        for (number, sphere) in (0..).zip(&self.spheres) {
+            let own = is_number(hit.object, number);
+            if own.any() {
+                projection = Projection::select(own, sphere.shape.project(hit.point), projection);
+            }
+        }
+        for (number, plane) in (self.spheres.len()..).zip(&self.planes) {
+            let own = is_number(hit.object, number);
+            if own.any() {
+                projection = Projection::select(own, plane.shape.project(hit.point), projection);
+            }
+        }
+        projection
+    }
+}
+
+/// The lanes in which an object's number is this one.
+#[inline(always)]
+fn is_number<R: Real>(object: R, number: usize) -> R::Mask {
+    let number = object.constant(number as f64);
+    object.ge(number) & object.le(number)
+}
+
+/// A hit of object `number`, unless that is the one to skip.
+#[inline(always)]
+fn other<R: Real>(hit: R::Mask, skip: Option<R>, number: usize) -> R::Mask {
+    match skip {
+        None => hit,
+        Some(object) => hit & !is_number(object, number),
     }
 }
 
@@ -180,10 +241,11 @@ impl<R: Real> HitRecord<R> {
         &mut self,
         ray: &Ray<R>,
         span: &Span<R>,
+        quality: Quality,
         object: &Object<R::Scalar, G>,
         number: f64,
     ) {
-        let hit = object.shape.intersect(ray, span);
+        let hit = object.shape.intersect(ray, span, quality);
         let nearer = hit.mask & (!self.mask | hit.t.lt(self.distance));
         if !nearer.any() {
             return;

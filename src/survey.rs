@@ -8,6 +8,7 @@ use crate::ray::{Ray, Span};
 use crate::real::Scalar;
 use crate::render::position;
 use crate::scene::{HitRecord, Scene};
+use crate::shadow::ShadowRay;
 use crate::shape::Shape;
 use crate::vector::Vector;
 
@@ -157,7 +158,8 @@ fn follow<S: Scalar>(scene: &Scene<S>, ray: &Ray<S>, integrator: Integrator) -> 
         .to_array()
         .map(|x| (x.to_f64() * 255.0) as u64);
     let level = brightest.into_iter().max().unwrap_or(0);
-    let hit = scene.intersect(ray, &Span::new(S::from_f64(0.0), scene.t_max()));
+    let span = Span::new(S::from_f64(0.0), scene.t_max());
+    let hit = scene.intersect(ray, &span, integrator.quality());
     if !hit.mask {
         return Pixel {
             level,
@@ -172,7 +174,7 @@ fn follow<S: Scalar>(scene: &Scene<S>, ray: &Ray<S>, integrator: Integrator) -> 
         ..Pixel::default()
     };
     match integrator {
-        Integrator::RayCast => pixel,
+        Integrator::RayCast(_) => pixel,
         Integrator::DirectLighting(direct) => follow_to_lights(scene, &hit, direct, pixel),
     }
 }
@@ -186,7 +188,7 @@ fn follow_to_lights<S: Scalar>(
 ) -> Pixel {
     let own = hit.object.to_f64() as usize;
     for light in scene.lights() {
-        let sample = light.sample(hit.point);
+        let sample = light.sample::<S>(hit.point, direct.quality);
         if !hit.normal.dot(sample.direction).gt(S::from_f64(0.0)) {
             continue;
         }
@@ -194,16 +196,19 @@ fn follow_to_lights<S: Scalar>(
         let Some(shadow) = direct.shadow else {
             continue;
         };
-        let (ray, span) = shadow.ray(hit, sample.direction, sample.distance);
+        let ShadowRay { ray, span, skip } =
+            shadow.ray(scene, hit, sample.direction, sample.distance);
+        let skip = skip.map(|number| number.to_f64() as usize);
         let spheres = scene
             .spheres()
             .iter()
-            .map(|s| s.shape.intersect_any(&ray, &span));
+            .map(|s| s.shape.intersect_any(&ray, &span, direct.quality));
         let planes = scene
             .planes()
             .iter()
-            .map(|p| p.shape.intersect_any(&ray, &span));
+            .map(|p| p.shape.intersect_any(&ray, &span, direct.quality));
         for (object, blocks) in spheres.chain(planes).enumerate() {
+            let blocks = blocks && Some(object) != skip;
             pixel.blocked_by_itself |= blocks && object == own;
             pixel.blocked_by_another |= blocks && object != own;
         }

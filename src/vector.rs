@@ -74,6 +74,12 @@ pub trait Vector<R: Real<Vector = Self>>:
         self * (square.constant(1.0) / square).sqrt()
     }
 
+    /// The magnitude of each component.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self::new(self.x().abs(), self.y().abs(), self.z().abs())
+    }
+
     /// `yes` in the lanes where the mask holds, `no` elsewhere.
     #[inline(always)]
     fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
@@ -82,6 +88,12 @@ pub trait Vector<R: Real<Vector = Self>>:
             R::select(mask, yes.y(), no.y()),
             R::select(mask, yes.z(), no.z()),
         )
+    }
+
+    /// The same vector one precision up, exactly.
+    #[inline(always)]
+    fn widen(self) -> <R::Wide as Real>::Vector {
+        Vector::new(self.x().widen(), self.y().widen(), self.z().widen())
     }
 
     /// The three components, first to third.

@@ -1,60 +1,90 @@
-//! Twice the precision of `f64`, from `f64` alone: the truth for pictures, and the format one up from `f64`.
+//! Twice the precision, from plain operations alone: the truth for pictures, and the format one up
+//! from `f64`.
 
 use super::{Real, Scalar};
 use crate::vector::Triple;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The unevaluated sum of two `f64` of which the second is at most half a unit in the last place of the first: about 106 bits.
+/// The unevaluated sum of two numbers, the second at most half a unit in the last place of the
+/// first: about 106 bits over `f64`, or over packets of it.
 ///
-/// Sums are accurate to 2^-104 relative to the result, products and quotients to 2^-102, square roots to 2^-101, as long as nothing overflows
-/// and no error term falls below the smallest normal number (magnitudes between 1e-140 and 1e140 are safe throughout a kernel).
-/// Source: Joldeş, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017),
-/// algorithms 6, 11 and 17; exact products by Dekker's splitting, so no fused multiply-add is needed.
+/// Sums are accurate to 2^-104 relative to the result, products and quotients to 2^-101, square
+/// roots to 2^-100, as long as nothing overflows and no error term falls below the smallest normal
+/// number: magnitudes between 1e-140 and 1e140 are safe in every operation.
+///
+/// Source: Joldeş, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of
+/// double-word arithmetic", ACM TOMS 44 (2017), algorithms 6, 11 and 17; exact products by Dekker's
+/// splitting, so no fused multiply-add is needed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct DoubleDouble {
-    high: f64,
-    low: f64,
+pub struct DoubleDouble<R = f64> {
+    high: R,
+    low: R,
 }
 
-impl DoubleDouble {
-    /// The sum of two `f64` as it is, without a rounding. A sum that overflows is an infinity.
+impl<R: Real<Scalar = f64>> DoubleDouble<R> {
+    /// The sum of two numbers as it is, without a rounding. A sum that overflows is an infinity.
     #[inline(always)]
-    pub fn new(a: f64, b: f64) -> Self {
+    pub fn new(a: R, b: R) -> Self {
         let (high, low) = two_sum(a, b);
         Self::of(high, low)
     }
 
-    /// The leading part: this number rounded to `f64`.
+    /// The leading part: this number rounded.
     #[inline(always)]
-    pub fn high(self) -> f64 {
+    pub fn high(self) -> R {
         self.high
     }
 
-    /// What rounding to `f64` leaves out.
+    /// What rounding leaves out.
     #[inline(always)]
-    pub fn low(self) -> f64 {
+    pub fn low(self) -> R {
         self.low
+    }
+
+    /// A number without a second part.
+    #[inline(always)]
+    fn single(high: R) -> Self {
+        Self {
+            high,
+            low: high.constant(0.0),
+        }
     }
 
     /// A pair whose parts are already apart; an infinity or NaN has no second part.
     #[inline(always)]
-    fn of(high: f64, low: f64) -> Self {
-        let low = if high.is_finite() { low } else { 0.0 };
-        Self { high, low }
+    fn of(high: R, low: R) -> Self {
+        Self {
+            high,
+            low: R::select(is_finite(high), low, high.constant(0.0)),
+        }
     }
 
-    /// The same for `|a| >= |b|`, in three operations (Dekker's fast two-sum).
+    /// The sum for `|a| >= |b|`, in three operations (Dekker's fast two-sum).
     #[inline(always)]
-    fn ordered(a: f64, b: f64) -> Self {
+    fn ordered(a: R, b: R) -> Self {
         let high = a + b;
         Self::of(high, b - (high - a))
     }
+
+    /// The product with a single number.
+    #[inline(always)]
+    fn times(self, factor: R) -> Self {
+        let (high, error) = two_product(self.high, factor);
+        Self::ordered(high, error + self.low * factor)
+    }
+}
+
+/// Neither infinite nor NaN.
+#[inline(always)]
+fn is_finite<R: Real>(x: R) -> R::Mask {
+    let zero = x.constant(0.0);
+    (x * zero).le(zero)
 }
 
 /// The rounded sum and its exact error (Knuth).
 #[inline(always)]
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
+fn two_sum<R: Real>(a: R, b: R) -> (R, R) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))
@@ -62,7 +92,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// The rounded product and its exact error (Dekker, with Veltkamp's splitting).
 #[inline(always)]
-fn two_product(a: f64, b: f64) -> (f64, f64) {
+fn two_product<R: Real>(a: R, b: R) -> (R, R) {
     let product = a * b;
     let (a_high, a_low) = split(a);
     let (b_high, b_low) = split(b);
@@ -72,13 +102,13 @@ fn two_product(a: f64, b: f64) -> (f64, f64) {
 
 /// Two halves of 26 bits each whose sum is `a`.
 #[inline(always)]
-fn split(a: f64) -> (f64, f64) {
-    let scaled = 134_217_729.0 * a;
+fn split<R: Real>(a: R) -> (R, R) {
+    let scaled = a * a.constant(134_217_729.0);
     let high = scaled - (scaled - a);
     (high, a - high)
 }
 
-impl Add for DoubleDouble {
+impl<R: Real<Scalar = f64>> Add for DoubleDouble<R> {
     type Output = Self;
 
     #[inline(always)]
@@ -90,7 +120,7 @@ impl Add for DoubleDouble {
     }
 }
 
-impl Sub for DoubleDouble {
+impl<R: Real<Scalar = f64>> Sub for DoubleDouble<R> {
     type Output = Self;
 
     #[inline(always)]
@@ -99,7 +129,7 @@ impl Sub for DoubleDouble {
     }
 }
 
-impl Mul for DoubleDouble {
+impl<R: Real<Scalar = f64>> Mul for DoubleDouble<R> {
     type Output = Self;
 
     #[inline(always)]
@@ -110,36 +140,25 @@ impl Mul for DoubleDouble {
     }
 }
 
-impl Mul<f64> for DoubleDouble {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, factor: f64) -> Self {
-        let (high, error) = two_product(self.high, factor);
-        Self::ordered(high, error + self.low * factor)
-    }
-}
-
-impl Div for DoubleDouble {
+impl<R: Real<Scalar = f64>> Div for DoubleDouble<R> {
     type Output = Self;
 
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
-        let rest = self - other * first;
+        let rest = self - other.times(first);
         let second = rest.high / other.high;
-        let rest = rest - other * second;
-        let quotient = Self::ordered(first, second);
-        let refined = quotient + Self::of(rest.high / other.high, 0.0);
-        if first.is_finite() && other.high.is_finite() {
-            refined
-        } else {
-            Self::of(first, 0.0)
+        let rest = rest - other.times(second);
+        let refined = Self::ordered(first, second) + Self::single(rest.high / other.high);
+        let finite = is_finite(first) & is_finite(other.high);
+        Self {
+            high: R::select(finite, refined.high, first),
+            low: R::select(finite, refined.low, first.constant(0.0)),
         }
     }
 }
 
-impl Neg for DoubleDouble {
+impl<R: Real<Scalar = f64>> Neg for DoubleDouble<R> {
     type Output = Self;
 
     #[inline(always)]
@@ -152,7 +171,6 @@ impl Neg for DoubleDouble {
 }
 
 impl PartialOrd for DoubleDouble {
-    #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         match self.high.partial_cmp(&other.high) {
             Some(Ordering::Equal) => self.low.partial_cmp(&other.low),
@@ -161,66 +179,101 @@ impl PartialOrd for DoubleDouble {
     }
 }
 
-impl Real for DoubleDouble {
-    type Scalar = Self;
-    type Mask = bool;
+impl<R: Real<Scalar = f64>> Real for DoubleDouble<R> {
+    type Scalar = DoubleDouble;
+    type Mask = R::Mask;
     type Vector = Triple<Self>;
-    type Token = ();
+    type Token = R::Token;
+    type Wide = Self;
 
     #[inline(always)]
-    fn token(self) {}
-
-    #[inline(always)]
-    fn splat((): (), value: Self) -> Self {
-        value
+    fn token(self) -> R::Token {
+        self.high.token()
     }
 
     #[inline(always)]
-    fn mask((): (), value: bool) -> bool {
-        value
+    fn splat(token: R::Token, value: DoubleDouble) -> Self {
+        Self {
+            high: R::splat(token, value.high),
+            low: R::splat(token, value.low),
+        }
+    }
+
+    #[inline(always)]
+    fn mask(token: R::Token, value: bool) -> R::Mask {
+        R::mask(token, value)
     }
 
     #[inline(always)]
     fn sqrt(self) -> Self {
         let root = self.high.sqrt();
-        if root == 0.0 || !root.is_finite() {
-            return Self::of(root, 0.0);
-        }
         let (square, error) = two_product(root, root);
         let rest = self - Self::ordered(square, error);
-        Self::ordered(root, rest.high / (2.0 * root))
+        let refined = Self::ordered(root, rest.high / (root + root));
+        let regular = is_finite(root) & root.gt(root.constant(0.0));
+        Self {
+            high: R::select(regular, refined.high, root),
+            low: R::select(regular, refined.low, root.constant(0.0)),
+        }
     }
 
     #[inline(always)]
     fn trunc(self) -> Self {
-        let toward_zero = |x: f64| if self.high < 0.0 { x.ceil() } else { x.floor() };
+        let (zero, one) = (self.high.constant(0.0), self.high.constant(1.0));
         let whole = self.high.trunc();
-        if whole == self.high {
-            Self::ordered(whole, toward_zero(self.low))
-        } else {
-            Self::of(whole, 0.0)
-        }
+        let low = self.low.trunc();
+        let negative = self.high.lt(zero);
+        let beyond = (negative & low.lt(self.low)) | (!negative & self.low.lt(low));
+        let toward_zero = R::select(negative, one, -one);
+        let low = R::select(beyond, low + toward_zero, low);
+        let is_whole = whole.le(self.high) & self.high.le(whole);
+        Self::ordered(whole, R::select(is_whole, low, zero))
     }
 
     #[inline(always)]
     fn step(self, count: Self) -> Self {
-        let power_of_two = f64::from_bits(self.high.to_bits() & (0x7ff << 52));
-        self + count.trunc() * (power_of_two * Self::EPSILON)
+        let place = self.high.binade() * self.high.constant(<DoubleDouble as Scalar>::EPSILON);
+        self + count.trunc().times(place)
     }
 
     #[inline(always)]
-    fn lt(self, other: Self) -> bool {
-        self < other
+    fn binade(self) -> Self {
+        Self::single(self.high.binade())
     }
 
     #[inline(always)]
-    fn le(self, other: Self) -> bool {
-        self <= other
+    fn lt(self, other: Self) -> R::Mask {
+        let equal = self.high.le(other.high) & other.high.le(self.high);
+        self.high.lt(other.high) | (equal & self.low.lt(other.low))
     }
 
     #[inline(always)]
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
+    fn le(self, other: Self) -> R::Mask {
+        let equal = self.high.le(other.high) & other.high.le(self.high);
+        self.high.lt(other.high) | (equal & self.low.le(other.low))
+    }
+
+    #[inline(always)]
+    fn select(mask: R::Mask, yes: Self, no: Self) -> Self {
+        Self {
+            high: R::select(mask, yes.high, no.high),
+            low: R::select(mask, yes.low, no.low),
+        }
+    }
+
+    #[inline(always)]
+    fn widen(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn narrow(wide: Self) -> Self {
+        wide
+    }
+
+    #[inline(always)]
+    fn narrow_mask(mask: R::Mask) -> R::Mask {
+        mask
     }
 }
 
@@ -231,17 +284,11 @@ impl Scalar for DoubleDouble {
         high: f64::MAX,
         low: f64::MAX * (f64::EPSILON / 4.0),
     };
-    const TINY: Self = Self {
-        high: f64::TINY,
-        low: 0.0,
-    };
+    const MIN_POSITIVE: f64 = f64::MIN_POSITIVE;
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Self {
-            high: value,
-            low: 0.0,
-        }
+        Self::single(value)
     }
 
     #[inline(always)]
@@ -249,14 +296,17 @@ impl Scalar for DoubleDouble {
         self.high
     }
 
+    fn from_double_double(value: DoubleDouble) -> Self {
+        value
+    }
+
     fn tan_half(degrees: Self) -> Self {
-        let half = degrees * 0.5;
-        let right_angle = Self::from_f64(90.0);
+        let half = degrees.times(0.5);
         if half.high <= 45.0 {
             let (sine, cosine) = sine_cosine(half);
             sine / cosine
         } else {
-            let (sine, cosine) = sine_cosine(right_angle - half);
+            let (sine, cosine) = sine_cosine(Self::single(90.0) - half);
             cosine / sine
         }
     }
@@ -268,13 +318,13 @@ fn sine_cosine(degrees: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
         high: std::f64::consts::PI,
         low: 1.224_646_799_147_353_2e-16,
     };
-    let angle = degrees * pi / DoubleDouble::from_f64(180.0);
-    let one = DoubleDouble::from_f64(1.0);
+    let angle = degrees * pi / DoubleDouble::single(180.0);
+    let one = DoubleDouble::single(1.0);
     let (mut sine, mut cosine) = (angle, one);
     let (mut odd, mut even) = (angle, one);
     for n in (1..15).map(|n| f64::from(2 * n)) {
-        even = -(even * angle * angle) / DoubleDouble::from_f64(n * (n - 1.0));
-        odd = -(odd * angle * angle) / DoubleDouble::from_f64(n * (n + 1.0));
+        even = -(even * angle * angle) / DoubleDouble::single(n * (n - 1.0));
+        odd = -(odd * angle * angle) / DoubleDouble::single(n * (n + 1.0));
         cosine = cosine + even;
         sine = sine + odd;
     }

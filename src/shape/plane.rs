@@ -1,7 +1,8 @@
 //! The plane (clauses 1.1 and 1.2).
 
-use super::{Hit, Shape};
+use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
+use crate::quality::{Quality, Scale};
 use crate::ray::{Ray, Span};
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
@@ -41,30 +42,77 @@ impl<S: Scalar> Plane<S> {
     pub fn normal(&self) -> S::Vector {
         self.normal
     }
+}
 
-    /// The parameter `t = dot(point - origin, normal) / dot(direction, normal)` (clause 1.1): infinite or NaN on a parallel ray.
-    #[inline(always)]
-    fn t<R: Real<Scalar = S>>(&self, ray: &Ray<R>) -> R {
-        let token = ray.origin.x().token();
-        let normal = R::Vector::splat(token, self.normal);
-        let to_point = R::Vector::splat(token, self.point) - ray.origin;
-        to_point.dot(normal) / ray.direction.dot(normal)
-    }
+/// The parameter `t = dot(point - origin, normal) / dot(direction, normal)` (clause 1.1): infinite or
+/// NaN on a parallel ray.
+#[inline(always)]
+fn t<R: Real>(ray: &Ray<R>, point: R::Vector, normal: R::Vector) -> R {
+    (point - ray.origin).dot(normal) / ray.direction.dot(normal)
+}
+
+/// The same with every vector scaled, so that no product overflows or underflows where the parameter
+/// does not.
+#[inline(always)]
+fn scaled_t<R: Real>(ray: &Ray<R>, point: R::Vector, normal: R::Vector) -> R {
+    let to_point = point - ray.origin;
+    let (near, along) = (
+        Scale::<R>::of_vector(to_point),
+        Scale::<R>::of_vector(ray.direction),
+    );
+    let normal = normal * Scale::<R>::of_vector(normal).reciprocal;
+    let height = (to_point * near.reciprocal).dot(normal);
+    let slope = (ray.direction * along.reciprocal).dot(normal);
+    height / slope * (near.unit * along.reciprocal)
 }
 
 impl<S: Scalar> Shape<S> for Plane<S> {
     #[inline(always)]
-    fn intersect<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> Hit<R> {
-        let t = self.t(ray);
-        Hit {
-            mask: span.contains(t),
-            t,
+    fn intersect<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> Hit<R> {
+        let token = ray.origin.x().token();
+        let (point, normal) = (
+            R::Vector::splat(token, self.point),
+            R::Vector::splat(token, self.normal),
+        );
+        match quality {
+            Quality::Textbook | Quality::Stable => {
+                let t = t(ray, point, normal);
+                Hit {
+                    mask: span.contains(t),
+                    t,
+                }
+            }
+            Quality::Wide => {
+                let t = scaled_t(&ray.widen(), point.widen(), normal.widen());
+                Hit::narrow(Hit {
+                    mask: span.widen().contains(t),
+                    t,
+                })
+            }
         }
     }
 
+    /// `p - n dot(n, p - q)`. The difference, the product of three terms, the unit normal itself and
+    /// the last product make 8 roundings of `dot(|n|, |p - q|)` along the normal, and the last
+    /// difference one of the result.
     #[inline(always)]
-    fn intersect_any<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> R::Mask {
-        span.contains(self.t(ray))
+    fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R> {
+        let token = point.x().token();
+        let normal = R::Vector::splat(token, self.unit_normal);
+        let offset = point - R::Vector::splat(token, self.point);
+        let projected = point - normal * offset.dot(normal);
+        let [along, last] = [8.0, 1.0].map(|n| point.x().constant(gamma::<S>(n)));
+        let terms = offset.abs().dot(normal.abs());
+        let error = normal.abs() * (terms * along) + projected.abs() * last;
+        Projection {
+            point: projected,
+            error,
+        }
     }
 
     #[inline(always)]

@@ -1,7 +1,8 @@
 //! The sphere (from the lab before this one).
 
-use super::{Hit, Shape};
+use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
+use crate::quality::{Quality, Scale};
 use crate::ray::{Ray, Span};
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
@@ -34,39 +35,112 @@ impl<S: Scalar> Sphere<S> {
     pub fn radius(&self) -> S {
         self.radius
     }
+}
 
-    /// The two parameters at which the line meets the sphere, the smaller first; NaN where it does not.
-    ///
-    /// The quadratic formula as textbooks have it, `(-b ∓ sqrt(b² - 4ac)) / 2a`, for a direction of any length.
-    #[inline(always)]
-    fn roots<R: Real<Scalar = S>>(&self, ray: &Ray<R>) -> (R, R) {
-        let token = ray.origin.x().token();
-        let from_center = ray.origin - R::Vector::splat(token, self.center);
-        let radius = R::splat(token, self.radius);
-        let a = ray.direction.dot(ray.direction);
-        let b = radius.constant(2.0) * ray.direction.dot(from_center);
-        let c = from_center.dot(from_center) - radius * radius;
-        let root = (b * b - radius.constant(4.0) * a * c).sqrt();
-        let twice_a = radius.constant(2.0) * a;
-        ((-b - root) / twice_a, (-b + root) / twice_a)
+/// The two parameters at which a line meets a sphere, the smaller first; NaN where it does not.
+type Roots<R> = (R, R);
+
+/// The quadratic formula as textbooks have it, `(-b ∓ sqrt(b² - 4ac)) / 2a`, for a direction of any
+/// length.
+#[inline(always)]
+fn textbook_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius: R) -> Roots<R> {
+    let (two, four) = (radius.constant(2.0), radius.constant(4.0));
+    let a = direction.dot(direction);
+    let b = two * direction.dot(from_center);
+    let c = from_center.dot(from_center) - radius * radius;
+    let root = (b * b - four * a * c).sqrt();
+    ((-b - root) / (two * a), (-b + root) / (two * a))
+}
+
+/// The discriminant from what is left of the way to the center after its part along the ray, and the
+/// root of larger magnitude first, the other by Vieta's theorem.
+///
+/// Source: Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
+/// Tracing Gems (2019), chapter 7, for a direction of any length.
+#[inline(always)]
+fn stable_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius: R) -> Roots<R> {
+    let a = direction.dot(direction);
+    let b = -from_center.dot(direction);
+    let c = from_center.dot(from_center) - radius * radius;
+    let residual = from_center + direction * (b / a);
+    let root = (a * (radius * radius - residual.dot(residual))).sqrt();
+    let ahead = b.ge(b.constant(0.0));
+    let q = b + R::select(ahead, root, -root);
+    let (first, second) = (c / q, q / a);
+    (
+        R::select(ahead, first, second),
+        R::select(ahead, second, first),
+    )
+}
+
+/// The stable roots with lengths and direction scaled, so that no product overflows or underflows
+/// where the roots do not.
+#[inline(always)]
+fn scaled_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius: R) -> Roots<R> {
+    let [x, y, z] = from_center.to_array();
+    let (size, along) = (
+        Scale::of([x, y, z, radius]),
+        Scale::<R>::of_vector(direction),
+    );
+    let (near, far) = stable_roots(
+        from_center * size.reciprocal,
+        direction * along.reciprocal,
+        radius * size.reciprocal,
+    );
+    let unit = size.unit * along.reciprocal;
+    (near * unit, far * unit)
+}
+
+/// The nearer root that lies in the interval.
+#[inline(always)]
+fn nearest<R: Real>((near, far): Roots<R>, span: &Span<R>) -> Hit<R> {
+    let near_counts = span.contains(near);
+    Hit {
+        mask: near_counts | span.contains(far),
+        t: R::select(near_counts, near, far),
     }
 }
 
 impl<S: Scalar> Shape<S> for Sphere<S> {
     #[inline(always)]
-    fn intersect<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> Hit<R> {
-        let (near, far) = self.roots(ray);
-        let near_counts = span.contains(near);
-        Hit {
-            mask: near_counts | span.contains(far),
-            t: R::select(near_counts, near, far),
+    fn intersect<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> Hit<R> {
+        let token = ray.origin.x().token();
+        let (origin, direction) = (ray.origin, ray.direction);
+        let (center, radius) = (
+            R::Vector::splat(token, self.center),
+            R::splat(token, self.radius),
+        );
+        match quality {
+            Quality::Textbook => nearest(textbook_roots(origin - center, direction, radius), span),
+            Quality::Stable => nearest(stable_roots(origin - center, direction, radius), span),
+            Quality::Wide => {
+                let from_center = origin.widen() - center.widen();
+                let roots = scaled_roots(from_center, direction.widen(), radius.widen());
+                Hit::narrow(nearest(roots, &span.widen()))
+            }
         }
     }
 
+    /// `c + (p - c) r / |p - c|`: 5 roundings of the way from the center (pbrt, section 6.8.4), and one
+    /// of the sum.
     #[inline(always)]
-    fn intersect_any<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> R::Mask {
-        let (near, far) = self.roots(ray);
-        span.contains(near) | span.contains(far)
+    fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R> {
+        let token = point.x().token();
+        let center = R::Vector::splat(token, self.center);
+        let from_center = point - center;
+        let distance = from_center.dot(from_center).sqrt();
+        let from_center = from_center * (R::splat(token, self.radius) / distance);
+        let projected = center + from_center;
+        let [along, last] = [5.0, 1.0].map(|n| point.x().constant(gamma::<S>(n)));
+        Projection {
+            point: projected,
+            error: from_center.abs() * along + projected.abs() * last,
+        }
     }
 
     #[inline(always)]

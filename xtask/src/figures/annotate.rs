@@ -10,7 +10,7 @@ use ombrage::{Detail, Figure, Picture, Size};
 /// The pieces that Figures 3(a) and 3(c) enlarge: their middle in hundredths of the picture, and
 /// their columns and rows.
 const PIECE_OF_SPHERE: [u32; 2] = [54, 41];
-const PIECE_OF_PLANE: [u32; 2] = [84, 75];
+const PIECE_OF_PLANE: [u32; 2] = [84, 72];
 const PIECE: [u32; 2] = [26, 17];
 
 /// Whether a figure has a sheet: all but Figure 1, which needs no words.
@@ -60,7 +60,7 @@ fn too_bright(study: &Study) -> Result<Picture> {
                 let byte = largest % 256;
                 sheet.text(&format!("Largest: {largest}, which becomes {byte}."));
             } else {
-                sheet.heading(&format!("{number} pixels pass 255 and are cut"));
+                sheet.heading(&format!("{number} pixels pass 255, clamped"));
                 sheet.text(&format!("Largest: {largest}, which becomes 255."));
             }
             column(study, &mut sheet, bounds);
@@ -146,7 +146,7 @@ fn shadow(study: &Study) -> Result<Picture> {
                 [left, top]
             },
         );
-        let pen = sheet.pen(SKY, 1.4, BLACK);
+        let pen = sheet.pen(SKY, 2.0, BLACK);
         if let Some(path) = path {
             sheet.canvas().stroke(&path, pen);
         }
@@ -171,7 +171,7 @@ fn pieces(study: &Study, sheet: &mut Sheet, mark: Option<[u8; 3]>) {
         ),
         ("Plane", PIECE_OF_PLANE, counts.acne_plane, counts.lit_plane),
     ] {
-        sheet.gap(8.0);
+        sheet.gap(7.0);
         let part = study.view.part(percent, across, down);
         let (inset, cell) = sheet.inset(part.width, part.height, 136.0);
         sheet.enlarge(&study.shown, part, inset, cell);
@@ -181,7 +181,7 @@ fn pieces(study: &Study, sheet: &mut Sheet, mark: Option<[u8; 3]>) {
         }
         let pen = sheet.plain_pen();
         sheet.join(part, inset, pen);
-        sheet.gap(3.0);
+        sheet.gap(4.0);
         let text = match (acne, lit) {
             (_, 0) => "no pixel is lit".to_owned(),
             (0, _) => format!("no acne on {} lit pixels", grouped(lit as u64)),

@@ -1,0 +1,177 @@
+//! The ray-relative chain: the kit's default way from a scene to radiance.
+//!
+//! Everything is taken relative to the camera once, before the first ray ([`Relative::new`], in
+//! double-double). Then the camera is the origin, directions need no normalisation, and no kernel
+//! ever forms a point in world space. What it rests on:
+//!
+//! - A sphere is hit where the discriminant `r² D² - |c x D|²` is not negative (Lagrange's identity;
+//!   no difference of squares of distances).
+//! - Whether a surface shadows itself is a sign, not a distance, so no epsilon is needed. The way from
+//!   the camera to the point it sees crosses no surface; so camera and point are on the same side of
+//!   every surface, and a surface that separates the light from the camera keeps it from every
+//!   point the camera sees. Such lights are left out once a frame. Of what remains, planes and spheres
+//!   around the camera block nothing, and only spheres beside the way to the light need a look.
+//! - The surface a shadow ray leaves is skipped by its number; equal surfaces share one.
+
+mod light;
+mod setup;
+mod sphere;
+
+use crate::integrator::Chain;
+use crate::real::{Mask, Real, Scalar};
+use crate::vector::Vector;
+use light::Light;
+use sphere::Sphere;
+
+/// A scene as its camera sees it, ready for rays.
+#[derive(Clone, Debug)]
+pub struct Relative<S: Scalar> {
+    forward: S::Vector,
+    right: S::Vector,
+    up: S::Vector,
+    spheres: Vec<Sphere<S>>,
+    planes: Vec<Plane<S>>,
+    /// `None`: the light is at the eye.
+    lights: Option<Vec<Light<S>>>,
+    background: S::Vector,
+    t_max_squared: S,
+}
+
+/// Where the light comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lighting {
+    /// From the eye, without falloff: Figure 1.
+    Eye,
+    /// From the scene's lights; nothing casts a shadow: Figure 2.
+    Unshadowed,
+    /// From the scene's lights, where nothing stands between: Figure 3(c).
+    Shadowed,
+}
+
+/// A plane with the camera on its positive side: `dot(normal, x) = height`, and `height < 0`.
+#[derive(Clone, Copy, Debug)]
+struct Plane<S: Scalar> {
+    normal: S::Vector,
+    height: S,
+    /// (`t_max` / height)²: a hit at `height / slope` counts where `slope²` times this reaches D².
+    reach: S,
+    number: S,
+    color: S::Vector,
+}
+
+/// What a ray from the camera meets first.
+#[derive(Clone, Copy)]
+struct Nearest<R: Real> {
+    mask: R::Mask,
+    t: R,
+    /// The unit normal on the camera's side.
+    normal: R::Vector,
+    /// `-dot(normal, direction)`, above 0.
+    slope: R,
+    number: R,
+    color: R::Vector,
+}
+
+impl<R: Real> Nearest<R> {
+    #[inline(always)]
+    fn none(direction: R::Vector) -> Self {
+        let zero = direction.x().constant(0.0);
+        let mask = R::mask(zero.token(), false);
+        Self {
+            mask,
+            t: zero,
+            normal: direction,
+            slope: zero,
+            number: zero,
+            color: direction,
+        }
+    }
+
+    /// Keeps the nearer of this and another.
+    #[inline(always)]
+    fn or_nearer(self, other: Self) -> Self {
+        let nearer = other.mask & (!self.mask | other.t.lt(self.t));
+        Self {
+            mask: self.mask | nearer,
+            t: R::select(nearer, other.t, self.t),
+            normal: R::Vector::select(nearer, other.normal, self.normal),
+            slope: R::select(nearer, other.slope, self.slope),
+            number: R::select(nearer, other.number, self.number),
+            color: R::Vector::select(nearer, other.color, self.color),
+        }
+    }
+}
+
+impl<S: Scalar> Plane<S> {
+    /// Where a ray from the camera meets the plane.
+    #[inline(always)]
+    fn meet<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Nearest<R> {
+        let token = square.token();
+        let normal = R::Vector::splat(token, self.normal);
+        let slope = -normal.dot(direction);
+        let reached = (slope * slope * R::splat(token, self.reach)).ge(square);
+        Nearest {
+            mask: slope.gt(slope.constant(0.0)) & reached,
+            t: -R::splat(token, self.height) / slope,
+            normal,
+            slope,
+            number: R::splat(token, self.number),
+            color: R::Vector::splat(token, self.color),
+        }
+    }
+}
+
+impl<S: Scalar> Relative<S> {
+    /// What the camera sees along a direction.
+    #[inline(always)]
+    fn nearest<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Nearest<R> {
+        let t_max_squared = R::splat(square.token(), self.t_max_squared);
+        let mut nearest = Nearest::none(direction);
+        for sphere in &self.spheres {
+            if let Some(hit) = sphere.meet(direction, square, t_max_squared) {
+                nearest = nearest.or_nearer(hit);
+            }
+        }
+        for plane in &self.planes {
+            nearest = nearest.or_nearer(plane.meet(direction, square));
+        }
+        nearest
+    }
+}
+
+impl<S: Scalar> Chain<S> for Relative<S> {
+    /// From -1 at the first column or row to 1 at the last.
+    fn coordinate(index: u32, count: u32) -> S {
+        if count == 1 {
+            return S::from_f64(0.0);
+        }
+        let twice_from_middle = 2.0 * f64::from(index) - f64::from(count - 1);
+        S::from_f64(twice_from_middle) / S::from_f64(f64::from(count - 1))
+    }
+
+    #[inline(always)]
+    fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector {
+        let token = across.token();
+        let direction = R::Vector::splat(token, self.forward)
+            - R::Vector::splat(token, self.up) * down
+            + R::Vector::splat(token, self.right) * across;
+        let background = R::Vector::splat(token, self.background);
+        let square = direction.dot(direction);
+        let hit = self.nearest(direction, square);
+        if !hit.mask.any() {
+            return background;
+        }
+        let radiance = match &self.lights {
+            None => hit.color * (hit.slope * (across.constant(1.0) / square).sqrt()),
+            Some(lights) => {
+                let zero = across.constant(0.0);
+                let mut sum = R::Vector::new(zero, zero, zero);
+                for light in lights {
+                    sum = light.add(sum, &hit, direction);
+                }
+                sum
+            }
+        };
+        R::Vector::select(hit.mask, radiance, background)
+    }
+}

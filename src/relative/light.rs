@@ -1,0 +1,117 @@
+//! A light, seen from the camera, and what stands between it and a point.
+
+use super::Nearest;
+use crate::real::{Mask, Real, Scalar};
+use crate::vector::Vector;
+
+/// A light that no surface separates from the camera.
+#[derive(Clone, Debug)]
+pub(super) struct Light<S: Scalar> {
+    pub position: S::Vector,
+    /// Colour times power.
+    pub intensity: S::Vector,
+    /// Its height above each plane on whose positive side it is, by the plane's number.
+    pub heights: Vec<(S, S)>,
+    /// The spheres that may stand before it; none where shadows are off.
+    pub occluders: Vec<Occluder<S>>,
+    /// Half-spaces of directions in which a surface through the camera itself blocks the light:
+    /// those with a positive product.
+    pub edges: Vec<S::Vector>,
+}
+
+/// A sphere with the camera and a light outside.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Occluder<S: Scalar> {
+    pub center: S::Vector,
+    pub radius_squared: S,
+    pub number: S,
+    /// From the center to the light, and its square.
+    pub to_light: S::Vector,
+    pub to_light_squared: S,
+}
+
+impl<S: Scalar> Light<S> {
+    /// Adds to `sum` what the hit point sends back of this light.
+    ///
+    /// With N the normal and L the way to the light, `color * intensity / L² * dot(N, L) / |L|`. The
+    /// height `dot(N, L)` is that of the light above the tangent plane of the hit, which is known
+    /// without the hit point: `dot(N, light) + t slope`, and for planes a constant.
+    #[inline(always)]
+    pub fn add<R: Real<Scalar = S>>(
+        &self,
+        sum: R::Vector,
+        hit: &Nearest<R>,
+        direction: R::Vector,
+    ) -> R::Vector {
+        let token = hit.t.token();
+        let zero = hit.t.constant(0.0);
+        let position = R::Vector::splat(token, self.position);
+        let mut height = hit.normal.dot(position) + hit.t * hit.slope;
+        for &(number, constant) in &self.heights {
+            height = R::select(hit.is_number(number), R::splat(token, constant), height);
+        }
+        let facing = hit.mask & height.gt(zero);
+        if !facing.any() {
+            return sum;
+        }
+        let point = direction * hit.t;
+        let to_light = position - point;
+        let square = to_light.dot(to_light);
+        let visible = facing & !self.blocked(hit, direction, point, square);
+        let y = (zero.constant(1.0) / square).sqrt();
+        let intensity = R::Vector::splat(token, self.intensity);
+        let lit = sum + hit.color * intensity * (height * y * (y * y));
+        R::Vector::select(visible, lit, sum)
+    }
+
+    /// Whether something stands between the point and the light, at distance `√square` of each other.
+    #[inline(always)]
+    fn blocked<R: Real<Scalar = S>>(
+        &self,
+        hit: &Nearest<R>,
+        direction: R::Vector,
+        point: R::Vector,
+        square: R,
+    ) -> R::Mask {
+        let token = square.token();
+        let mut blocked = R::mask(token, false);
+        for &edge in &self.edges {
+            let beyond = R::Vector::splat(token, edge).dot(direction);
+            blocked = blocked | beyond.gt(beyond.constant(0.0));
+        }
+        for occluder in &self.occluders {
+            blocked = blocked | (occluder.blocks(point, square) & !hit.is_number(occluder.number));
+        }
+        blocked
+    }
+}
+
+impl<S: Scalar> Occluder<S> {
+    /// Whether the sphere reaches into the way from `point` to the light, of squared length `square`.
+    ///
+    /// With p and l from the center to either end, the line passes at distance `|p x l| / |l - p|`, and
+    /// the nearest point lies between the ends where `dot(p, l)` is below both p² and l². A way that
+    /// only touches the sphere is free.
+    #[inline(always)]
+    fn blocks<R: Real<Scalar = S>>(&self, point: R::Vector, square: R) -> R::Mask {
+        let token = square.token();
+        let to_point = point - R::Vector::splat(token, self.center);
+        let to_light = R::Vector::splat(token, self.to_light);
+        let product = to_point.dot(to_light);
+        let moment = to_point.cross(to_light);
+        let near = moment
+            .dot(moment)
+            .lt(R::splat(token, self.radius_squared) * square);
+        near & product.lt(to_point.dot(to_point))
+            & product.lt(R::splat(token, self.to_light_squared))
+    }
+}
+
+impl<R: Real> Nearest<R> {
+    /// The lanes that hit the object of this number.
+    #[inline(always)]
+    fn is_number(&self, number: R::Scalar) -> R::Mask {
+        let number = R::splat(self.number.token(), number);
+        self.number.ge(number) & self.number.le(number)
+    }
+}

@@ -1,0 +1,62 @@
+//! A sphere, seen from the camera.
+
+use super::Nearest;
+use crate::real::{Mask, Real, Scalar};
+use crate::vector::Vector;
+
+/// A sphere around `center`, relative to the camera.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sphere<S: Scalar> {
+    pub center: S::Vector,
+    pub radius_squared: S,
+    /// 1 / radius, negative where the normal that faces the camera points inward.
+    pub curvature: S,
+    /// The power of the camera: `|center|² - radius²`. The camera is inside where it is below 0.
+    pub power: S,
+    pub number: S,
+    pub color: S::Vector,
+}
+
+impl<S: Scalar> Sphere<S> {
+    /// Where a ray from the camera meets the sphere; `None` if no lane does.
+    ///
+    /// From outside the near root is `power / (b + √disc)`, from inside or on the sphere the far one
+    /// `(b + √disc) / D²`: neither subtracts.
+    #[inline(always)]
+    pub fn meet<R: Real<Scalar = S>>(
+        &self,
+        direction: R::Vector,
+        square: R,
+        t_max_squared: R,
+    ) -> Option<Nearest<R>> {
+        let token = square.token();
+        let zero = square.constant(0.0);
+        let center = R::Vector::splat(token, self.center);
+        let outside = self.power.gt(S::from_f64(0.0));
+        let ahead = center.dot(direction);
+        let moment = center.cross(direction);
+        let discriminant = R::splat(token, self.radius_squared) * square - moment.dot(moment);
+        let mut mask = discriminant.ge(zero);
+        if self.power.ge(S::from_f64(0.0)) {
+            mask = mask & ahead.gt(zero);
+        }
+        if !mask.any() {
+            return None;
+        }
+        let root = discriminant.sqrt();
+        let t = if outside {
+            R::splat(token, self.power) / (ahead + root)
+        } else {
+            (ahead + root) / square
+        };
+        let curvature = R::splat(token, self.curvature);
+        Some(Nearest {
+            mask: mask & (t * t * square).le(t_max_squared),
+            t,
+            normal: (direction * t - center) * curvature,
+            slope: root * curvature.abs(),
+            number: R::splat(token, self.number),
+            color: R::Vector::splat(token, self.color),
+        })
+    }
+}
