@@ -93,7 +93,7 @@ fn column(study: &Study, sheet: &mut Sheet, bounds: Area) {
 
 /// Figure 3(a): the pixels that are falsely black.
 fn acne(study: &Study) -> Result<Picture> {
-    let findings = &study.findings;
+    let findings = study.findings;
     let mut sheet = sheet_of(study, |x, y| findings.is_marked(x, y).then_some(YELLOW))?;
     sheet.heading("Acne: falsely black");
     sheet.key(YELLOW, "the surface shadows itself");
@@ -130,7 +130,7 @@ fn enlarged(study: &Study, detail: Detail, whole: &Picture) -> Result<Picture> {
 /// Figure 3(c): the shadow, and nothing else that is black.
 fn shadow(study: &Study) -> Result<Picture> {
     let mut sheet = sheet_of(study, |_, _| None)?;
-    let findings = &study.findings;
+    let findings = study.findings;
     if let Some(bounds) = findings.bounds {
         let path = outline(
             bounds,
