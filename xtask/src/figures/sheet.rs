@@ -80,9 +80,10 @@ impl Sheet {
         }
     }
 
-    /// The pen of frames and leaders that say only where something is.
+    /// The pen of frames and leaders that say only where something is. Thinner, a white line between
+    /// two rows of pixels would blend with its black rim into the grey of the background.
     pub fn plain_pen(&self) -> Pen {
-        self.pen(WHITE, 1.0, BLACK)
+        self.pen(WHITE, 1.5, BLACK)
     }
 
     /// What is drawn on, for what the sheet itself has no word for.
