@@ -94,9 +94,9 @@ pub const FIGURES: [Figure; 6] = [
         film: Film::Clamp,
         detail: Some(Detail {
             left_percent: 33,
-            top_percent: 45,
-            factor: 5,
-            gain: 3,
+            top_percent: 41,
+            factor: 3,
+            gain: 6,
         }),
     },
     Figure {

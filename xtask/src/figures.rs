@@ -18,9 +18,9 @@ use serde::Serialize;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::sync::PoisonError;
+use std::sync::{Mutex, PoisonError};
 use std::thread;
+use study::Surveys;
 
 /// Draw the six figures of the lab: fig1.png to fig3c.png as computed, annotated/ with notes
 ///
@@ -103,9 +103,10 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     };
     let long = args.size.pixels() * figures.len() > 1 << 22;
     let bar = progress::bar(job::STEPS * figures.len() as u64, long);
+    let surveys = Surveys::default();
     let done = all(&figures, args.size, |figure| match args.float {
-        Format::F32 => job::work::<f32>(figure, args.size, task, &bar),
-        Format::F64 => job::work::<f64>(figure, args.size, task, &bar),
+        Format::F32 => job::work::<f32>(figure, args.size, task, &surveys, &bar),
+        Format::F64 => job::work::<f64>(figure, args.size, task, &surveys, &bar),
     });
     bar.finish_and_clear();
 
@@ -150,6 +151,7 @@ fn report(rows: Vec<Row>, args: &Args) -> Result<String> {
 }
 
 /// Does `work` for every figure, on as many threads as there are cores, in the figures' order.
+/// After a failure no other figure is begun.
 ///
 /// Large pictures take turns, so that no more than 2^28 pixels are in memory at a time.
 fn all<T: Send>(
@@ -165,10 +167,16 @@ fn all<T: Send>(
         let workers: Vec<_> = (0..cores.min(in_memory).min(figures.len()))
             .map(|_| {
                 scope.spawn(|| {
-                    let results = std::iter::from_fn(next);
+                    let mut results = vec![];
+                    while let Some((number, figure)) = next() {
+                        let result = work(figure);
+                        let failed = result.is_err();
+                        results.push((number, result));
+                        if failed {
+                            while next().is_some() {}
+                        }
+                    }
                     results
-                        .map(|(number, figure)| (number, work(figure)))
-                        .collect::<Vec<_>>()
                 })
             })
             .collect();

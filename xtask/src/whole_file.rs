@@ -26,9 +26,13 @@ impl WholeFile {
     /// Starts the file, and makes the directory it belongs to.
     ///
     /// # Errors
-    /// If the directory cannot be made or written to.
+    /// If the directory cannot be made or written to, or the place is itself a directory.
     pub fn create(target: &Path) -> Result<Self> {
         remove_on_interrupt();
+        if target.is_dir() {
+            let error = io::Error::from(io::ErrorKind::IsADirectory);
+            return Err(cannot_write(target, &error));
+        }
         let directory = target.parent().unwrap_or(Path::new(""));
         make_directory(directory)?;
         let mut builder = tempfile::Builder::new();
@@ -66,7 +70,7 @@ impl WholeFile {
     /// Puts the file in its place, in one step.
     ///
     /// # Errors
-    /// If it cannot be put there: the place is a directory, for instance.
+    /// If it cannot be put there.
     pub fn keep(self) -> Result<()> {
         let unfinished_path = self.file.path().to_path_buf();
         let kept = self.file.persist(&self.target);

@@ -4,9 +4,7 @@ use super::palette::{Color, PAPER};
 use super::text::{self, Weight};
 use crate::error::{Error, Result};
 use ombrage::{Picture, Size};
-use tiny_skia::{
-    FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke, Transform,
-};
+use tiny_skia::{FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
 
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,13 +96,42 @@ impl Canvas {
         }
     }
 
-    /// Draws a frame around an area, its rim included, so that none of its pixels is hidden.
+    /// Draws a frame around an area, sharp and its rim included, so that no pixel of it is hidden.
     pub fn frame(&mut self, area: Area, pen: Pen) {
-        let [left, top, right, bottom] = area.edges();
-        let away = pen.width;
-        let rect = Rect::from_ltrb(left - away, top - away, right + away, bottom + away);
-        if let Some(rect) = rect {
-            self.stroke(&PathBuilder::from_rect(rect), pen);
+        let rim = (pen.width / 2.0).round().max(1.0) as u32;
+        let line = pen.width.round().max(1.0) as u32;
+        self.ring(area, rim, pen.rim);
+        self.ring(area.grown(rim), line, pen.color);
+        self.ring(area.grown(rim + line), rim, pen.rim);
+    }
+
+    /// Fills the border of `width` pixels around an area.
+    fn ring(&mut self, area: Area, width: u32, color: Color) {
+        let outer = area.grown(width);
+        let below = area.top + area.height;
+        let beside = area.left + area.width;
+        let strips = [
+            Area {
+                height: area.top - outer.top,
+                ..outer
+            },
+            Area {
+                top: below,
+                height: width,
+                ..outer
+            },
+            Area {
+                width: area.left - outer.left,
+                ..outer
+            },
+            Area {
+                left: beside,
+                width,
+                ..outer
+            },
+        ];
+        for strip in strips {
+            self.fill(strip, |_, _| color);
         }
     }
 
@@ -132,6 +159,17 @@ impl Area {
             top: self.top + by,
             width: self.width.saturating_sub(2 * by),
             height: self.height.saturating_sub(2 * by),
+        }
+    }
+
+    /// The area with a border of `by` pixels, cut off where it would leave the canvas at the left or top.
+    pub fn grown(self, by: u32) -> Self {
+        let (left, top) = (self.left.saturating_sub(by), self.top.saturating_sub(by));
+        Self {
+            left,
+            top,
+            width: self.left - left + self.width + by,
+            height: self.top - top + self.height + by,
         }
     }
 

@@ -1,6 +1,6 @@
 //! What is written and drawn beside each figure.
 
-use super::sheet::Sheet;
+use super::sheet::{Bar, Sheet};
 use super::study::Study;
 use crate::draw::{Area, BLACK, GREEN, SKY, WHITE, YELLOW, outline};
 use crate::error::Result;
@@ -9,8 +9,8 @@ use ombrage::{Detail, Figure, Picture, Size};
 
 /// The pieces that Figures 3(a) and 3(c) enlarge: their middle in hundredths of the picture, and
 /// their columns and rows.
-const PIECE_OF_SPHERE: [u32; 2] = [45, 44];
-const PIECE_OF_PLANE: [u32; 2] = [30, 72];
+const PIECE_OF_SPHERE: [u32; 2] = [54, 41];
+const PIECE_OF_PLANE: [u32; 2] = [84, 72];
 const PIECE: [u32; 2] = [26, 17];
 
 /// Whether a figure has a sheet: all but Figure 1, which needs no words.
@@ -37,12 +37,11 @@ pub fn annotate(study: &Study) -> Result<Picture> {
 fn too_bright(study: &Study) -> Result<Picture> {
     let mut sheet = sheet_of(study, |_, _| None)?;
     let counts = &study.findings.counts;
-    let wraps = study.figure.name == "2a";
     match study.findings.bounds {
         None => sheet.text("No pixel of this size passes 255."),
         Some(bounds) => {
             let pen = sheet.pen(GREEN, 1.6, WHITE);
-            let part = around(bounds, 4, study.view.shown);
+            let part = around(bounds, 4.max(bounds.width / 16), study.view.shown);
             let (inset, cell) = sheet.inset(part.width, part.height, 150.0);
             sheet.enlarge(&study.shown, part, inset, cell);
             sheet.join(bounds, inset, pen);
@@ -56,24 +55,45 @@ fn too_bright(study: &Study) -> Result<Picture> {
             sheet.gap(10.0);
             let number = grouped(study.findings.marks);
             let largest = counts.largest_level;
-            if wraps {
-                sheet.heading(&format!("{number} pixels wrap"));
-                sheet.text(&format!(
-                    "255 x reaches {largest}; the byte is {largest} modulo 256 = {}.",
-                    largest % 256
-                ));
+            if study.figure.name == "2a" {
+                sheet.heading(&format!("{number} pixels pass 255 and wrap"));
+                let byte = largest % 256;
+                sheet.text(&format!("Largest: {largest}, which becomes {byte}."));
             } else {
-                sheet.heading(&format!("{number} pixels clamped"));
-                sheet.text(&format!("255 x reaches {largest}; the byte stays 255."));
+                sheet.heading(&format!("{number} pixels pass 255, clamped"));
+                sheet.text(&format!("Largest: {largest}, which becomes 255."));
             }
+            column(study, &mut sheet, bounds);
         }
     }
     finish(study, sheet)
 }
 
+/// A chart of the bytes down the column in the middle of the bright pixels.
+fn column(study: &Study, sheet: &mut Sheet, bounds: Area) {
+    let x = bounds.left + bounds.width / 2;
+    sheet.gap(16.0);
+    sheet.heading(&format!("Bytes down column {}", x * study.view.every));
+    sheet.gap(5.0);
+    let first = bounds.top.saturating_sub(bounds.height / 2);
+    let last = (bounds.top + 8 * bounds.height).min(study.shown.size().height());
+    let bars: Vec<Bar> = (first..last)
+        .map(|y| {
+            let color = study.shown.pixel(x, y).unwrap_or_default();
+            let value = color.into_iter().max().unwrap_or(0);
+            Bar { value, color }
+        })
+        .collect();
+    sheet.bars(&bars, 255);
+    let every = study.view.every;
+    let (first, last) = (first * every, (last - 1) * every);
+    sheet.gap(3.0);
+    sheet.text(&format!("rows {first} to {last}; height: 0 to 255"));
+}
+
 /// Figure 3(a): the pixels that are falsely black.
 fn acne(study: &Study) -> Result<Picture> {
-    let findings = &study.findings;
+    let findings = study.findings;
     let mut sheet = sheet_of(study, |x, y| findings.is_marked(x, y).then_some(YELLOW))?;
     sheet.heading("Acne: falsely black");
     sheet.key(YELLOW, "the surface shadows itself");
@@ -101,8 +121,8 @@ fn enlarged(study: &Study, detail: Detail, whole: &Picture) -> Result<Picture> {
     let pen = sheet.pen(YELLOW, 1.6, BLACK);
     sheet.canvas().frame(part, pen);
     sheet.gap(12.0);
-    sheet.heading(&format!("{width} x {height} pixels from ({left}, {top})"));
-    sheet.text(&format!("each enlarged {0} x {0}", detail.factor));
+    sheet.heading(&format!("{width} × {height} pixels from ({left}, {top})"));
+    sheet.text(&format!("each enlarged {0} × {0}", detail.factor));
     sheet.text(&format!("bytes times {}, up to 255", detail.gain));
     finish(study, sheet)
 }
@@ -110,7 +130,7 @@ fn enlarged(study: &Study, detail: Detail, whole: &Picture) -> Result<Picture> {
 /// Figure 3(c): the shadow, and nothing else that is black.
 fn shadow(study: &Study) -> Result<Picture> {
     let mut sheet = sheet_of(study, |_, _| None)?;
-    let findings = &study.findings;
+    let findings = study.findings;
     if let Some(bounds) = findings.bounds {
         let path = outline(
             bounds,
@@ -126,7 +146,7 @@ fn shadow(study: &Study) -> Result<Picture> {
                 [left, top]
             },
         );
-        let pen = sheet.pen(SKY, 1.4, BLACK);
+        let pen = sheet.pen(SKY, 2.0, BLACK);
         if let Some(path) = path {
             sheet.canvas().stroke(&path, pen);
         }
@@ -151,7 +171,7 @@ fn pieces(study: &Study, sheet: &mut Sheet, mark: Option<[u8; 3]>) {
         ),
         ("Plane", PIECE_OF_PLANE, counts.acne_plane, counts.lit_plane),
     ] {
-        sheet.gap(8.0);
+        sheet.gap(7.0);
         let part = study.view.part(percent, across, down);
         let (inset, cell) = sheet.inset(part.width, part.height, 136.0);
         sheet.enlarge(&study.shown, part, inset, cell);
@@ -161,13 +181,17 @@ fn pieces(study: &Study, sheet: &mut Sheet, mark: Option<[u8; 3]>) {
         }
         let pen = sheet.plain_pen();
         sheet.join(part, inset, pen);
-        sheet.gap(3.0);
-        let share = match lit {
-            0 => String::new(),
-            _ => format!(" ({:.1} %)", 100.0 * acne as f64 / lit as f64),
+        sheet.gap(4.0);
+        let text = match (acne, lit) {
+            (_, 0) => "no pixel is lit".to_owned(),
+            (0, _) => format!("no acne on {} lit pixels", grouped(lit as u64)),
+            _ => {
+                let share = 100.0 * acne as f64 / lit as f64;
+                let (acne, lit) = (grouped(acne as u64), grouped(lit as u64));
+                format!("{acne} of {lit} lit ({share:.1}\u{a0}%)")
+            }
         };
-        let (acne, lit) = (grouped(acne as u64), grouped(lit as u64));
-        sheet.text(&format!("{name}: {acne} of {lit} lit{share}"));
+        sheet.text(&format!("{name}: {text}"));
     }
 }
 
@@ -183,12 +207,12 @@ fn finish(study: &Study, sheet: Sheet) -> Result<Picture> {
     let (number, letter) = study.figure.name.split_at(1);
     let title = format!("Figure {number}({letter}): {}", study.figure.title);
     let (width, height) = (study.size.width(), study.size.height());
-    let mut detail = format!("{width} x {height} pixels, {}", study.float);
+    let mut detail = format!("{width} × {height} pixels, {}", study.float);
     if study.view.every > 1 {
-        detail += &format!("; one pixel in {0} x {0} is shown", study.view.every);
+        detail += &format!("; one pixel in {0} × {0} is shown", study.view.every);
     }
     if study.view.enlarged > 1 {
-        detail += &format!("; each is shown {0} x {0}", study.view.enlarged);
+        detail += &format!("; each is shown {0} × {0}", study.view.enlarged);
     }
     sheet.finish(&title, &detail)
 }

@@ -1,13 +1,13 @@
 //! One figure: drawn, studied, and brought to its files.
 
 use super::annotate::{annotate, is_annotated};
-use super::study::{Findings, Study};
+use super::study::{Study, Surveys};
 use super::view::View;
 use crate::error::Result;
 use crate::picture_file;
 use crate::whole_file::WholeFile;
 use indicatif::ProgressBar;
-use ombrage::{Dispatch, Figure, Picture, Size};
+use ombrage::{Dispatch, Figure, Film, Picture, Size};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -62,6 +62,7 @@ pub fn work<S: Dispatch>(
     figure: &'static Figure,
     size: Size,
     task: Task,
+    surveys: &Surveys,
     bar: &ProgressBar,
 ) -> Result<(Row, Vec<Outcome>)> {
     bar.set_message(format!("figure {}", figure.name));
@@ -77,21 +78,19 @@ pub fn work<S: Dispatch>(
 
     let view = View::of(size);
     let shown = view.thin_out(picture);
-    let findings = Findings::of::<S>(figure, size, &view)?;
+    let undivided = Figure {
+        detail: None,
+        ..*figure
+    };
+    let whole = match figure.detail {
+        None => None,
+        Some(_) => Some(view.thin_out(undivided.draw::<S>(size)?)),
+    };
+    let findings = surveys.of::<S>(figure, size, &view)?;
     let counts = findings.counts;
     bar.inc(1);
 
     if is_annotated(figure) {
-        let whole = match figure.detail {
-            None => None,
-            Some(_) => {
-                let undivided = Figure {
-                    detail: None,
-                    ..*figure
-                };
-                Some(view.thin_out(undivided.draw::<S>(size)?))
-            }
-        };
         let study = Study {
             figure,
             size,
@@ -116,7 +115,10 @@ pub fn work<S: Dispatch>(
         sphere: counts.sphere,
         plane: counts.plane,
         shadowed: counts.shadowed,
-        wrapped: counts.wrapped,
+        wrapped: match figure.film {
+            Film::Wrap => counts.wrapped,
+            Film::Clamp => 0,
+        },
         acne_plane: counts.acne_plane,
         acne_sphere: counts.acne_sphere,
     };

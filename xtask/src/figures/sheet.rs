@@ -13,6 +13,14 @@ const MARGIN: f32 = 14.0;
 const TITLE: f32 = 17.0;
 const TEXT: f32 = 12.5;
 
+/// One bar of a chart.
+pub struct Bar {
+    /// Its height, in units of the chart.
+    pub value: u8,
+    /// Its colour.
+    pub color: [u8; 3],
+}
+
 /// A sheet that fills from top to bottom of its panel.
 pub struct Sheet {
     canvas: Canvas,
@@ -72,9 +80,10 @@ impl Sheet {
         }
     }
 
-    /// The pen of frames and leaders that say only where something is.
+    /// The pen of frames and leaders that say only where something is. Thinner, a white line between
+    /// two rows of pixels would blend with its black rim into the grey of the background.
     pub fn plain_pen(&self) -> Pen {
-        self.pen(BLACK, 1.0, WHITE)
+        self.pen(WHITE, 1.5, BLACK)
     }
 
     /// What is drawn on, for what the sheet itself has no word for.
@@ -181,6 +190,36 @@ impl Sheet {
         }
     }
 
+    /// A chart of values, one bar each; a value of `most` fills the height.
+    pub fn bars(&mut self, bars: &[Bar], most: u32) {
+        let area = Area {
+            left: self.panel.left,
+            top: self.y.round() as u32,
+            width: self.panel.width,
+            height: self.px(90.0) as u32,
+        };
+        self.canvas.fill(area, |x, y| {
+            let number = u64::from(x) * bars.len() as u64 / u64::from(area.width);
+            let from_below = u64::from(area.height - y) * u64::from(most);
+            match bars.get(number as usize) {
+                Some(bar) if from_below <= u64::from(bar.value) * u64::from(area.height) => {
+                    bar.color
+                }
+                _ => WHITE,
+            }
+        });
+        let pen = self.plain_pen();
+        self.canvas.frame(
+            area,
+            Pen {
+                color: MUTED,
+                rim: WHITE,
+                ..pen
+            },
+        );
+        self.y += area.height as f32;
+    }
+
     /// Puts a whole picture into the panel, reduced to its width; says where.
     pub fn map(&mut self, picture: &Picture) -> Area {
         let size = picture.size();
@@ -217,7 +256,7 @@ impl Sheet {
         let part = self.on_picture(part);
         let [_, top, right, bottom] = part.edges();
         let [left, inset_top, _, inset_bottom] = inset.edges();
-        let away = pen.width;
+        let away = 1.5 * pen.width;
         self.canvas.line(
             [right + away, top - away],
             [left - away, inset_top - away],
@@ -253,7 +292,7 @@ impl Sheet {
 /// Breaks text between words into lines no wider than `room`; a longer word stays whole.
 fn lines(words: &str, size: f32, weight: Weight, room: f32) -> Vec<String> {
     let mut lines: Vec<String> = vec![];
-    for word in words.split_whitespace() {
+    for word in words.split(' ') {
         if let Some(line) = lines.last_mut() {
             let longer = format!("{line} {word}");
             if draw::width(&longer, size, weight) <= room {

@@ -2,11 +2,12 @@
 
 use super::view::View;
 use crate::draw::Area;
-use crate::error::Result;
-use ombrage::{Counts, Dispatch, Figure, Picture, Pixel, Size};
+use crate::error::{Error, Result};
+use ombrage::{Counts, Dispatch, FIGURES, Figure, Film, Invalid, Picture, Pixel, Size};
+use std::sync::OnceLock;
 
 /// A figure's pixels as its sheet shows them, and what was found at them.
-pub struct Study {
+pub struct Study<'a> {
     /// The figure.
     pub figure: &'static Figure,
     /// The size of the picture it was drawn from.
@@ -20,12 +21,31 @@ pub struct Study {
     /// For an enlarged detail: the shown pixels of the whole picture.
     pub whole: Option<Picture>,
     /// What happens at the pixels of the whole picture.
-    pub findings: Findings,
+    pub findings: &'a Findings,
+}
+
+/// The findings of all figures. Figures with the same integrator share them, found once.
+#[derive(Default)]
+pub struct Surveys([OnceLock<std::result::Result<Findings, Invalid>>; FIGURES.len()]);
+
+impl Surveys {
+    /// What happens at the pixels of a figure. All calls must be of one format and size.
+    ///
+    /// # Errors
+    /// None for the formats there are.
+    pub fn of<S: Dispatch>(&self, figure: &Figure, size: Size, view: &View) -> Result<&Findings> {
+        let alike = |other: &Figure| other.integrator == figure.integrator;
+        let first = FIGURES.iter().position(alike).unwrap_or_default();
+        self.0[first]
+            .get_or_init(|| Findings::of::<S>(figure, size, view))
+            .as_ref()
+            .map_err(|invalid| Error::from(invalid.clone()))
+    }
 }
 
 /// What happens at the pixels of a picture.
 pub struct Findings {
-    /// How many pixels are what.
+    /// How many pixels are what; those that pass 255 are counted as wrapped, whatever the film.
     pub counts: Counts,
     /// How many pixels are marked.
     pub marks: u64,
@@ -37,17 +57,18 @@ pub struct Findings {
 
 impl Findings {
     /// Follows the ray of every pixel of the figure.
-    ///
-    /// # Errors
-    /// None for the formats there are.
-    pub fn of<S: Dispatch>(figure: &Figure, size: Size, view: &View) -> Result<Self> {
+    fn of<S: Dispatch>(
+        figure: &Figure,
+        size: Size,
+        view: &View,
+    ) -> std::result::Result<Self, Invalid> {
         let is_marked = mark_of(figure);
         let mut counts = Counts::default();
         let mut marked = Vec::with_capacity(view.shown.pixels());
         let mut marks = 0;
         let mut bounds: Option<[u32; 4]> = None;
         figure.visit::<S>(size, |x, y, pixel| {
-            counts.add(&pixel, figure.film);
+            counts.add(&pixel, Film::Wrap);
             let mark = is_marked(&pixel);
             if x % view.every == 0 && y % view.every == 0 {
                 marked.push(mark);
