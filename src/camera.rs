@@ -48,13 +48,11 @@ impl<S: Scalar> PerspectiveCamera<S> {
         let aspect = Invalid::unless(valid, "aspect", aspect, "finite and greater than 0")?;
 
         let backward = (position - look_at).normalized();
-        let has_direction = backward.to_array().into_iter().all(Scalar::is_finite);
-        let must_be = "another point than the camera's position";
-        Invalid::unless_vector::<S>(has_direction, "camera look_at", look_at, must_be)?;
+        let must_be = "neither at the camera's position nor too far from it to square the distance";
+        Invalid::unless_vector::<S>(backward.is_unit(), "camera look_at", look_at, must_be)?;
         let right = up.cross(backward).normalized();
-        let upright = right.to_array().into_iter().all(Scalar::is_finite);
         let must_be = "a direction that is not parallel to the view";
-        Invalid::unless_vector::<S>(upright, "camera up", up, must_be)?;
+        Invalid::unless_vector::<S>(right.is_unit(), "camera up", up, must_be)?;
 
         let viewport_height = S::tan_half(fov) * S::from_f64(2.0);
         let width = right * (viewport_height * aspect);
