@@ -1,6 +1,9 @@
 //! Every clause of docs/spec.md: a control case that conforms, and failing twins - wrong variants
 //! that the same check must reject, with the clause's name.
 
+#[path = "support/report.rs"]
+mod report;
+
 mod spec {
     pub mod any_hit;
     pub mod camera;

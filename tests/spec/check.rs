@@ -1,5 +1,6 @@
 //! What every check of a clause is made of.
 
+use crate::report::{differs, show};
 use ombrage::{Float, Picture, Ray, Span, Vector};
 
 /// Conforms, or says which clause is broken and how.
@@ -15,6 +16,16 @@ macro_rules! holds {
     };
 }
 pub(crate) use holds;
+
+/// Ends a check with the clause's name and the words of a comparison that failed.
+macro_rules! agrees {
+    ($clause:literal, $comparison:expr) => {
+        if let Err(words) = $comparison {
+            return Err(format!("clause {}: {words}", $clause));
+        }
+    };
+}
+pub(crate) use agrees;
 
 /// Three constants as a vector.
 pub fn vector<F: Float>(components: [f64; 3]) -> F::Vector {
@@ -34,11 +45,56 @@ pub fn span<F: Float>([min, max]: [f64; 2]) -> Span<F> {
     Span::new(F::from_f64(min), F::from_f64(max))
 }
 
-/// Whether every component is the constant rounded to the format, give or take `ulps`.
-pub fn near<F: Float>(actual: F::Vector, expected: [f64; 3], ulps: u64) -> bool {
-    let expected = expected.map(F::from_f64);
-    let pairs = actual.to_array().into_iter().zip(expected);
-    pairs.into_iter().all(|(a, e)| a.ulp_distance(e) <= ulps)
+/// A parameter of a hit, for messages.
+fn told<F: Float>(t: Option<F>) -> String {
+    t.map_or("no hit".into(), show)
+}
+
+/// Fails unless two parameters of a hit are the same; says all about them otherwise.
+pub fn same_t<F: Float>(
+    name: &str,
+    ray: &Ray<F>,
+    expected: Option<F>,
+    actual: Option<F>,
+) -> Result<(), String> {
+    if actual == expected {
+        return Ok(());
+    }
+    let [ox, oy, oz] = ray.origin.to_array();
+    let [dx, dy, dz] = ray.direction.to_array();
+    let inputs = [
+        ("o.x", ox),
+        ("o.y", oy),
+        ("o.z", oz),
+        ("d.x", dx),
+        ("d.y", dy),
+        ("d.z", dz),
+    ];
+    Err(match (expected, actual) {
+        (Some(expected), Some(actual)) => differs(name, &inputs, expected, actual),
+        _ => format!("{name}: {} instead of {}", told(actual), told(expected)),
+    })
+}
+
+/// Fails unless every component is the constant rounded to the format, give or take `ulps`.
+pub fn near<F: Float>(
+    name: &str,
+    expected: [f64; 3],
+    actual: F::Vector,
+    ulps: u64,
+) -> Result<(), String> {
+    for (i, actual) in actual.to_array().into_iter().enumerate() {
+        let expected = F::from_f64(expected[i]);
+        if actual.ulp_distance(expected) > ulps {
+            return Err(differs(
+                &format!("{name}, component {i}"),
+                &[],
+                expected,
+                actual,
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// What a pixel of the lab's scene shows, from the geometry of spheres and planes in closed form;

@@ -1,6 +1,7 @@
 //! Clauses E.3 to E.8: the rest of the engine underneath.
 
-use super::check::{Verdict, holds, near, ray, span, vector};
+use super::check::{Verdict, agrees, holds, near, ray, same_t, span, vector};
+use crate::report::differs;
 use ombrage::{Film, Float, Integrator, Ray, Scene, Shape, Span, Sphere, Vector, lab};
 
 type Three = [f64; 3];
@@ -59,13 +60,9 @@ pub fn check_e_3<F: Float>(t: impl Fn(Three, f64, &Ray<F>, &Span<F>) -> Option<F
         ("behind", [0.0, 0.0, 20.0], along, [0.0, 1000.0], None),
     ];
     for (name, origin, direction, interval, expected) in cases {
-        let actual = t(c, 2.0, &ray(origin, direction), &span(interval));
-        let expected = expected.map(F::from_f64);
-        holds!(
-            "E.3",
-            actual == expected,
-            "{name}: t is {actual:?} instead of {expected:?}"
-        );
+        let ray = ray(origin, direction);
+        let actual = t(c, 2.0, &ray, &span(interval));
+        agrees!("E.3", same_t(name, &ray, expected.map(F::from_f64), actual));
     }
     Ok(())
 }
@@ -118,12 +115,7 @@ pub fn check_e_4<F: Float>(radiance: impl Fn(&Scene<F>, &Ray<F>) -> F::Vector) -
     ];
     for (name, origin, direction, expected) in cases {
         let actual = radiance(&scene, &ray(origin, direction));
-        let right = near::<F>(actual, expected, 4);
-        holds!(
-            "E.4",
-            right,
-            "{name}: radiance is {actual:?} instead of {expected:?}"
-        );
+        agrees!("E.4", near::<F>(name, expected, actual, 4));
     }
     Ok(())
 }
@@ -310,13 +302,9 @@ pub fn check_e_8<F: Float>(dot: impl Fn(F::Vector, F::Vector) -> F) -> Verdict {
         ("(u + 1) + u", [small, one, small], one),
     ] {
         let actual = dot(vector::<F>(a), vector::<F>([1.0; 3]));
-        let right = actual == F::from_f64(expected);
-        holds!(
-            "E.8",
-            right,
-            "{name} is {actual:e} instead of {expected:e} ({})",
-            F::NAME
-        );
+        let expected = F::from_f64(expected);
+        let right = actual == expected;
+        holds!("E.8", right, "{}", differs(name, &[], expected, actual));
     }
     // (1 + e)² - 1 - 2e is e²: rounded away, but not by a fused operation.
     let (long, square) = (1.0 + F::EPSILON, 1.0 + 2.0 * F::EPSILON);

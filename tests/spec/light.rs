@@ -1,6 +1,6 @@
 //! Clauses 2.1 to 2.3: point lights.
 
-use super::check::{Verdict, holds, near, vector};
+use super::check::{Verdict, agrees, holds, near, vector};
 use ombrage::{Float, LightSample, PointLight};
 
 /// A light from constants.
@@ -81,13 +81,7 @@ pub fn check_2_3<F: Float>(sample: impl Fn(Light, [f64; 3]) -> LightSample<F>) -
     };
     let sample = sample(light, [1.0, 2.0, 3.0]);
     let unit = [3.0 / 13.0, 4.0 / 13.0, 12.0 / 13.0];
-    let right = near::<F>(sample.direction, unit, ULPS);
-    holds!(
-        "2.3",
-        right,
-        "direction is {:?} instead of {unit:?}",
-        sample.direction
-    );
+    agrees!("2.3", near::<F>("direction", unit, sample.direction, ULPS));
     let right = sample.distance == F::from_f64(13.0);
     holds!(
         "2.3",

@@ -1,6 +1,6 @@
 //! Clauses 3.1 to 3.3 and 4.1: direct lighting, bytes, and shadows.
 
-use super::check::{Verdict, holds, near, ray, shows, vector};
+use super::check::{Verdict, agrees, holds, near, ray, shows, vector};
 use ombrage::{
     DirectLighting, Figure, Film, Float, Integrator, Invalid, Picture, Plane, PointLight, Ray,
     Scene, Shadow, ShadowQuery, Size, Span, Sphere, Vector,
@@ -72,12 +72,7 @@ pub fn check_3_1<F: Float>(radiance: impl Fn(&Scene<F>, &Ray<F>) -> F::Vector) -
         let scene = lit_plane::<F>(lights).map_err(|error| error.to_string())?;
         let actual = radiance(&scene, &ray(eye, direction));
         // Light and cosine: at most 16 roundings.
-        let right = near::<F>(actual, expected, 16);
-        holds!(
-            "3.1",
-            right,
-            "{name}: radiance is {actual:?} instead of {expected:?}"
-        );
+        agrees!("3.1", near::<F>(name, expected, actual, 16));
     }
     Ok(())
 }
@@ -144,11 +139,9 @@ pub fn check_4_1<F: Float>(radiance: impl Fn(&Scene<F>, &Ray<F>) -> F::Vector) -
     };
     for (name, scene, expected) in scenes().map_err(|error| error.to_string())? {
         let actual = radiance(&scene, &ray([0.0, 2.0, 0.0], [0.0, -1.0, 0.0]));
-        let right = near::<F>(actual, COLOR.map(|c| expected * c), 16);
-        holds!(
+        agrees!(
             "4.1",
-            right,
-            "{name}: radiance is {actual:?} instead of {expected} times {COLOR:?}"
+            near::<F>(name, COLOR.map(|c| expected * c), actual, 16)
         );
     }
     Ok(())

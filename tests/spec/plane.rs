@@ -1,6 +1,6 @@
 //! Clauses 1.1 to 1.3: the plane.
 
-use super::check::{Verdict, holds, ray, shows, span, vector};
+use super::check::{Verdict, agrees, holds, ray, same_t, shows, span, vector};
 use ombrage::{
     Figure, Film, Float, HitRecord, Integrator, Mask, PerspectiveCamera, Picture, Plane, Ray,
     Scene, Shape, Size, Span, Sphere, Vector, lab, render,
@@ -99,13 +99,9 @@ pub fn check_1_1<F: Float>(t: impl Fn(Three, Three, &Ray<F>, &Span<F>) -> Option
         ("after the interval", Q, UP, O, DOWN, [0.0, 1.5], None),
     ];
     for (name, q, n, o, d, interval, expected) in cases {
-        let actual = t(q, n, &ray(o, d), &span(interval));
-        let expected = expected.map(F::from_f64);
-        holds!(
-            "1.1",
-            actual == expected,
-            "{name}: t is {actual:?} instead of {expected:?}"
-        );
+        let ray = ray(o, d);
+        let actual = t(q, n, &ray, &span(interval));
+        agrees!("1.1", same_t(name, &ray, expected.map(F::from_f64), actual));
     }
     Ok(())
 }

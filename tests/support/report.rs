@@ -8,12 +8,6 @@ pub fn show<F: Float>(x: F) -> String {
     format!("{x:e} = 0x{} = 0b{:0digits$b}", x.hex(), x.bits())
 }
 
-/// Three numbers, one a line.
-pub fn show_vector<F: Float>(v: F::Vector) -> String {
-    use ombrage::Vector;
-    v.to_array().map(|x| format!("\n      {}", show(x))).concat()
-}
-
 /// What was asked, what should have come, what came, and how far apart they are.
 pub fn differs<F: Float>(what: &str, inputs: &[(&str, F)], expected: F, actual: F) -> String {
     let inputs: String = inputs
