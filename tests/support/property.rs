@@ -16,9 +16,11 @@ impl<F: Float + Exact> Sample for F {}
 
 /// Checks many random inputs. Nothing is written; the failing input is in the message.
 pub fn for_all<T: Debug>(inputs: impl Strategy<Value = T>, check: impl Fn(T) -> Verdict) {
+    let config = Config::default();
     let config = Config {
         failure_persistence: None,
-        ..Config::default()
+        max_global_rejects: 4096 + 16 * config.cases,
+        ..config
     };
     if let Err(failure) = TestRunner::new(config).run(&inputs, check) {
         panic!("{failure}");
