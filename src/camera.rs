@@ -1,6 +1,7 @@
 //! The perspective camera.
 
 use crate::error::Invalid;
+use crate::quality::unit;
 use crate::ray::Ray;
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
@@ -85,14 +86,12 @@ impl<S: Scalar> View<S> {
         let valid = aspect.is_finite() && aspect.to_f64() > 0.0;
         let aspect = Invalid::unless(valid, "aspect", aspect, "finite and greater than 0")?;
 
-        let backward = (position - look_at).normalized();
-        let has_direction = backward.to_array().into_iter().all(Scalar::is_finite);
+        let backward = unit::<S>(position - look_at);
         let must_be = "another point than the camera's position";
-        Invalid::unless_vector::<S>(has_direction, "camera look_at", look_at, must_be)?;
-        let right = up.cross(backward).normalized();
-        let upright = right.to_array().into_iter().all(Scalar::is_finite);
+        Invalid::unless_vector::<S>(backward.is_unit(), "camera look_at", look_at, must_be)?;
+        let right = unit::<S>(unit::<S>(up).cross(backward));
         let must_be = "a direction that is not parallel to the view";
-        Invalid::unless_vector::<S>(upright, "camera up", up, must_be)?;
+        Invalid::unless_vector::<S>(right.is_unit(), "camera up", up, must_be)?;
 
         let tangent = S::tan_half(fov);
         let up = backward.cross(right) * tangent;

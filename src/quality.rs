@@ -69,3 +69,8 @@ impl<R: Real> Scale<R> {
         Self::of([vector.x(), vector.y(), vector.z(), vector.z()])
     }
 }
+
+/// The unit vector of the same direction, whatever the length; not finite for the zero vector.
+pub(crate) fn unit<S: Scalar>(vector: S::Vector) -> S::Vector {
+    (vector * Scale::<S>::of_vector(vector).reciprocal).normalized()
+}

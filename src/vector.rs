@@ -80,6 +80,15 @@ pub trait Vector<R: Real<Vector = Self>>:
         Self::new(self.x().abs(), self.y().abs(), self.z().abs())
     }
 
+    /// Whether the length is 1, give or take rounding: what [`normalized`](Self::normalized) returns
+    /// unless the square of the length overflows or underflows or is not a number.
+    #[inline(always)]
+    fn is_unit(self) -> R::Mask {
+        let square = self.dot(self);
+        let off = (square - square.constant(1.0)).abs();
+        off.le(square.constant(64.0 * R::Scalar::EPSILON))
+    }
+
     /// `yes` in the lanes where the mask holds, `no` elsewhere.
     #[inline(always)]
     fn select(mask: R::Mask, yes: Self, no: Self) -> Self {

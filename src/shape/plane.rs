@@ -3,7 +3,7 @@
 use super::wide::{one_precision_up, widen, widen_ray};
 use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
-use crate::quality::{Quality, Scale};
+use crate::quality::{Quality, Scale, unit};
 use crate::ray::{Ray, Span};
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
@@ -20,13 +20,13 @@ impl<S: Scalar> Plane<S> {
     /// The plane through `point` at a right angle to `normal`, which may have any length but zero.
     ///
     /// # Errors
-    /// If the point or the normal is not finite, or the normal's length is zero or not a number of this format.
+    /// If the point or the normal is not finite, or the normal is zero.
     pub fn new(point: S::Vector, normal: S::Vector) -> Result<Self, Invalid> {
         let point = Invalid::unless_finite::<S>("plane point", point)?;
-        let unit_normal = normal.normalized();
-        let has_direction = unit_normal.to_array().into_iter().all(Scalar::is_finite);
-        let must_be = "a vector whose length is finite and greater than 0";
-        let normal = Invalid::unless_vector::<S>(has_direction, "plane normal", normal, must_be)?;
+        let unit_normal = unit::<S>(normal);
+        let valid = unit_normal.is_unit();
+        let must_be = "finite and not zero";
+        let normal = Invalid::unless_vector::<S>(valid, "plane normal", normal, must_be)?;
         Ok(Self {
             point,
             normal,
