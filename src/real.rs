@@ -14,10 +14,12 @@ mod packet;
 mod pair;
 
 pub use double_double::DoubleDouble;
-pub use lanes::Lanes;
+pub use lanes::{Job, Lanes};
+pub(crate) use packet::in_packets;
 pub use packet::{Lane, Packet, PacketMask};
 pub use pair::Pair;
 
+use crate::level::Level;
 use crate::vector::Vector;
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -149,6 +151,11 @@ pub trait Scalar:
     }
     /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on every machine.
     fn tan_half(degrees: Self) -> Self;
+
+    /// Does a job in the widest lanes that a level has for this format; one by one where there are none.
+    fn in_lanes(_level: Level, job: impl Job<Self>) {
+        job.run::<Self>(());
+    }
 
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool {

@@ -2,24 +2,25 @@
 
 mod frame;
 
-pub use frame::{Develop, Dispatch, Frame, Linear};
+pub use frame::{Develop, Frame, Linear};
 
 use crate::chain::Chain;
 use crate::film::Film;
 use crate::level::{Level, NoSuchLevel};
 use crate::picture::{Picture, Size};
+use crate::real::Scalar;
 use crate::vector::Vector;
 use std::num::NonZero;
 use std::sync::{LazyLock, Mutex, PoisonError};
 use std::thread;
 
 /// Renders to bytes: width x height x 3, row-major, as fast as the machine can.
-pub fn render<S: Dispatch>(chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
+pub fn render<S: Scalar>(chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
     Engine::default().render(chain, size, film)
 }
 
 /// Renders to linear radiance, pixel by pixel, row-major, upper left first.
-pub fn render_radiance<S: Dispatch>(chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
+pub fn render_radiance<S: Scalar>(chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
     Engine::default().render_radiance(chain, size)
 }
 
@@ -70,21 +71,21 @@ impl Engine {
     }
 
     /// Renders to bytes, like [`render`].
-    pub fn render<S: Dispatch>(self, chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
+    pub fn render<S: Scalar>(self, chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
         let frame = Frame::new(chain, size);
         let mut pixels = vec![[0; 3]; size.pixels()];
         self.share(size, &mut pixels, |first, pixels| {
-            S::dispatch(&frame, self.level, &film, first, pixels);
+            frame.rows_at(self.level, &film, first, pixels);
         });
         Picture::from_rendering(size, pixels.into_flattened())
     }
 
     /// Renders to linear radiance, like [`render_radiance`].
-    pub fn render_radiance<S: Dispatch>(self, chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
+    pub fn render_radiance<S: Scalar>(self, chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
         let frame = Frame::new(chain, size);
         let mut pixels = vec![S::Vector::constant((), [0.0; 3]); size.pixels()];
         self.share(size, &mut pixels, |first, pixels| {
-            S::dispatch(&frame, self.level, &Linear, first, pixels);
+            frame.rows_at(self.level, &Linear, first, pixels);
         });
         pixels
     }

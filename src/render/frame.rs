@@ -4,9 +4,8 @@ use crate::chain::Chain;
 use crate::film::Film;
 use crate::level::Level;
 use crate::picture::Size;
-use crate::real::{DoubleDouble, Lane, Lanes, Packet, Pair, Scalar};
+use crate::real::{Job, Lanes, Scalar};
 use crate::vector::Vector;
-use fearless_simd::{Simd, dispatch};
 
 /// A picture to be: everything its rows have in common.
 #[derive(Clone, Debug)]
@@ -105,76 +104,40 @@ impl<'a, S: Scalar, C: Chain<S>> Frame<'a, S, C> {
         }
     }
 
-    /// Computes rows at a level, with two packets in flight.
-    fn in_packets<D: Develop<S>>(
+    /// Computes rows at a level.
+    pub fn rows_at<D: Develop<S>>(
         &self,
         level: Level,
-        develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
-    ) where
-        S: Lane,
-    {
-        match level.simd().filter(|_| self.chain.gains_from_packets()) {
-            None => self.rows::<S, D>((), develop, first, pixels),
-            Some(level) => dispatch!(level, simd => self.pairs(simd, develop, first, pixels)),
-        }
-    }
-
-    /// Computes rows with two packets in flight.
-    #[inline(always)]
-    fn pairs<L: Simd, D: Develop<S>>(
-        &self,
-        simd: L,
-        develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
-    ) where
-        S: Lane,
-    {
-        self.rows::<Pair<Packet<L, S>>, D>(simd, develop, first, pixels);
-    }
-}
-
-/// Numbers that pictures can be computed in: `f32` and `f64` in packets, double-double one by one.
-pub trait Dispatch: Scalar {
-    /// Computes rows of a picture, from row `first` on, as many as `pixels` are.
-    fn dispatch<C: Chain<Self>, D: Develop<Self>>(
-        frame: &Frame<Self, C>,
-        level: Level,
-        develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
-    );
-}
-
-macro_rules! dispatch_in_packets {
-    ($float:ty) => {
-        impl Dispatch for $float {
-            fn dispatch<C: Chain<Self>, D: Develop<Self>>(
-                frame: &Frame<Self, C>,
-                level: Level,
-                develop: &D,
-                first: u32,
-                pixels: &mut [D::Pixel],
-            ) {
-                frame.in_packets(level, develop, first, pixels);
-            }
-        }
-    };
-}
-
-dispatch_in_packets!(f32);
-dispatch_in_packets!(f64);
-
-impl Dispatch for DoubleDouble {
-    fn dispatch<C: Chain<Self>, D: Develop<Self>>(
-        frame: &Frame<Self, C>,
-        _: Level,
         develop: &D,
         first: u32,
         pixels: &mut [D::Pixel],
     ) {
-        frame.rows::<Self, D>((), develop, first, pixels);
+        let gains = self.chain.gains_from_packets();
+        let level = if gains { level } else { Level::Scalar };
+        S::in_lanes(
+            level,
+            Rows {
+                frame: self,
+                develop,
+                first,
+                pixels,
+            },
+        );
+    }
+}
+
+/// Rows of a picture to compute, in lanes yet to be chosen.
+struct Rows<'a, S: Scalar, C, D: Develop<S>> {
+    frame: &'a Frame<'a, S, C>,
+    develop: &'a D,
+    first: u32,
+    pixels: &'a mut [D::Pixel],
+}
+
+impl<S: Scalar, C: Chain<S>, D: Develop<S>> Job<S> for Rows<'_, S, C, D> {
+    #[inline(always)]
+    fn run<R: Lanes<Scalar = S>>(self, token: R::Token) {
+        self.frame
+            .rows::<R, D>(token, self.develop, self.first, self.pixels);
     }
 }

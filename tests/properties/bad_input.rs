@@ -2,8 +2,8 @@
 
 use crate::property::{Sample, any_number, any_vector, for_all};
 use ombrage::{
-    DirectLighting, FIGURES, Film, Integrator, Invalid, PerspectiveCamera, Plane, PointLight,
-    Scene, Shadow, ShadowQuery, Size, Sphere, Vector, View, lab, render,
+    DirectLighting, FIGURES, Figure, Film, Integrator, Invalid, LabChain, PerspectiveCamera, Plane,
+    PointLight, Quality, Scene, Shadow, ShadowQuery, Size, Sphere, Vector, View, lab, render,
 };
 use proptest::prelude::*;
 
@@ -204,19 +204,33 @@ pub fn no_bits_make_the_kit_panic<F: Sample>() {
             let camera = PerspectiveCamera::new(&view, aspect)
                 .or_else(|_| PerspectiveCamera::new(&lab::view(), F::from_f64(1.5)));
             let (camera, size) = (camera.map_err(lab)?, Size::new(7, 5).map_err(lab)?);
-            for figure in FIGURES {
-                render(&built, &camera, size, figure.integrator, figure.film);
+            let (scene, camera) = (&built, &camera);
+            for Figure {
+                integrator, film, ..
+            } in FIGURES
+            {
+                render(
+                    &LabChain {
+                        scene,
+                        camera,
+                        integrator,
+                    },
+                    size,
+                    film,
+                );
             }
-            let nearest = DirectLighting {
+            let integrator = Integrator::DirectLighting(DirectLighting {
                 quality: Quality::Textbook,
                 shadow: Some(Shadow::UlpOffset),
                 query: ShadowQuery::Nearest,
-            };
+            });
             let picture = render(
-                &built,
-                &camera,
+                &LabChain {
+                    scene,
+                    camera,
+                    integrator,
+                },
                 size,
-                Integrator::DirectLighting(nearest),
                 Film::Wrap,
             );
             prop_assert_eq!(picture.bytes().len(), 3 * 7 * 5);

@@ -4,7 +4,8 @@ use crate::exact::{abs, dot, exact, exact_vector, minus};
 use crate::property::{Sample, for_all, is_unit, positive, unit_roundoff, vector};
 use dashu_ratio::RBig;
 use ombrage::{
-    DirectLighting, Integrator, LightSample, Plane, PointLight, Ray, Scene, ShadowQuery, Vector,
+    DirectLighting, Integrator, LightSample, Plane, PointLight, Quality, Ray, Scene, ShadowQuery,
+    Vector,
 };
 use proptest::prelude::*;
 

@@ -4,7 +4,7 @@ use crate::exact::{abs, dot, exact, exact_vector, minus, power_of_two, products,
 use crate::property::{Sample, Verdict, for_all, is_unit, ray, vector};
 use crate::report::show;
 use dashu_ratio::RBig;
-use ombrage::{Plane, Ray, Shape, Span, Vector};
+use ombrage::{Plane, Quality, Ray, Shape, Span, Vector};
 use proptest::prelude::*;
 
 /// The parameter of the kit, over all of the line.

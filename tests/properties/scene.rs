@@ -2,7 +2,7 @@
 
 use crate::exact::exact;
 use crate::property::{Sample, for_all, is_unit, number, positive, ray, vector};
-use ombrage::{Invalid, Plane, PointLight, Ray, Scene, Shape, Span, Sphere, Vector};
+use ombrage::{Invalid, Plane, PointLight, Quality, Ray, Scene, Shape, Span, Sphere, Vector};
 use proptest::prelude::*;
 use std::cell::Cell;
 

@@ -3,7 +3,7 @@
 use crate::exact::{dot, exact, exact_vector, minus};
 use crate::property::{Sample, for_all, positive, ray, unit_roundoff, vector};
 use crate::report::differs;
-use ombrage::{Plane, Ray, Shape, Span, Sphere, Vector};
+use ombrage::{Plane, Quality, Ray, Shape, Span, Sphere, Vector};
 use proptest::prelude::*;
 
 fn spheres<F: Sample>() -> impl Strategy<Value = Sphere<F>> {

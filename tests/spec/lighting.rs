@@ -2,8 +2,8 @@
 
 use super::check::{Verdict, agrees, holds, near, ray, shows, vector};
 use ombrage::{
-    DirectLighting, Figure, Film, Float, Integrator, Invalid, Picture, Plane, PointLight, Ray,
-    Scene, Shadow, ShadowQuery, Size, Span, Sphere, Vector,
+    DirectLighting, Figure, Film, Float, Integrator, Invalid, Picture, Plane, PointLight, Quality,
+    Ray, Scene, Shadow, ShadowQuery, Size, Span, Sphere, Vector,
 };
 
 const COLOR: [f64; 3] = [1.0, 0.5, 0.25];
@@ -249,8 +249,9 @@ fn shadowed_within<F: Float>(
     within: impl Fn(F) -> Span<F>,
 ) -> F::Vector {
     bent(scene, ray, |hit, light| {
-        let (ray, _) = Shadow::UlpOffset.ray(hit, light.direction, light.distance);
-        let blocked = scene.intersect_any(&ray, &within(light.distance), Quality::Textbook);
+        let shadow = Shadow::UlpOffset.ray(scene, hit, light.direction, light.distance);
+        let span = within(light.distance);
+        let blocked = scene.intersect_any(&shadow.ray, &span, Quality::Textbook);
         let lit = hit.color * light.radiance * positive(hit.normal.dot(light.direction));
         F::Vector::select(blocked, vector::<F>([0.0; 3]), lit)
     })

@@ -61,7 +61,7 @@ pub fn ray<F: Float>(exponents: Range<i32>) -> impl Strategy<Value = Ray<F>> + C
 
 /// Any bits at all, and often a number that is special.
 pub fn any_number<F: Float>() -> impl Strategy<Value = F> + Clone {
-    let (max, tiny) = (F::MAX.to_f64(), F::TINY.to_f64());
+    let (max, tiny) = (F::MAX.to_f64(), F::MIN_POSITIVE * F::EPSILON);
     let special = [0.0, 1.0, tiny, max, f64::INFINITY, f64::NAN];
     prop_oneof![
         any::<u64>().prop_map(F::from_bits),
