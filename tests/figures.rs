@@ -36,7 +36,8 @@ static TRUTH: LazyLock<Survey> = LazyLock::new(|| survey::<DoubleDouble>("3c"));
 ///
 /// In Figures 3(a) and 3(b) the black pixels are rounding errors. A change in the order of
 /// operations may move them, and then the new picture is accepted after a look at it. How many
-/// there are hardly changes: `acne_covers_...` holds their shares to bands, which they may not leave.
+/// there are hardly changes: `acne_covers_...` holds their shares to bands, which they may not
+/// leave.
 fn is_the_accepted_picture<F: Float>(name: &str) {
     let name = format!("figure-{name}-{}.png", F::NAME);
     let figure = figure(name.split('-').nth(1).expect("the name of a figure"));

@@ -7,7 +7,8 @@ use ombrage::{
     Real, Scene, Shadow, ShadowQuery, Shape, Size, Span, Sphere, Triple, Vector,
 };
 
-/// The question for any hit, and what it costs in a scene of so many spheres, the first of them hit.
+/// The question for any hit, and what it costs in a scene of so many spheres, the first of them
+/// hit.
 pub struct Asking<F: Float> {
     any: fn(&Scene<F>, &Ray<F>, &Span<F>) -> bool,
     cost: fn(usize) -> u64,
