@@ -1,7 +1,6 @@
 //! The two formats of IEEE 754 that kernels are judged in: `f32` and `f64`.
 
-use crate::level::Level;
-use crate::real::{DoubleDouble, Job, Real, Scalar, in_packets};
+use crate::real::{DoubleDouble, Real, Scalar};
 use std::fmt::{Debug, Display, LowerExp};
 
 /// `f32` or `f64`: a scalar whose bits can be seen, and compared place by place.
@@ -161,10 +160,6 @@ impl Scalar for f32 {
         wide as f32
     }
 
-    fn in_lanes(level: Level, job: impl Job<f32>) {
-        in_packets(level, job);
-    }
-
     fn tan_half(degrees: f32) -> f32 {
         f64::tan_half(f64::from(degrees)) as f32
     }
@@ -196,10 +191,6 @@ impl Scalar for f64 {
     #[inline(always)]
     fn narrow(wide: DoubleDouble) -> f64 {
         wide.high()
-    }
-
-    fn in_lanes(level: Level, job: impl Job<f64>) {
-        in_packets(level, job);
     }
 
     fn tan_half(degrees: f64) -> f64 {

@@ -19,7 +19,7 @@ pub(crate) use packet::in_packets;
 pub use packet::{Lane, Packet, PacketMask};
 pub use pair::Pair;
 
-use crate::level::Level;
+use crate::render::Draw;
 use crate::vector::Vector;
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -118,6 +118,7 @@ pub trait Real:
 /// A number with one lane: `f32`, `f64` or [`DoubleDouble`].
 pub trait Scalar:
     Real<Scalar = Self, Mask = bool, Token = (), Vector: PartialEq + Send + Sync>
+    + Draw
     + PartialEq
     + PartialOrd
     + Default
@@ -151,11 +152,6 @@ pub trait Scalar:
     }
     /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on every machine.
     fn tan_half(degrees: Self) -> Self;
-
-    /// Does a job in the widest lanes that a level has for this format; one by one where there are none.
-    fn in_lanes(_level: Level, job: impl Job<Self>) {
-        job.run::<Self>(());
-    }
 
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool {

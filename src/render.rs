@@ -2,7 +2,7 @@
 
 mod frame;
 
-pub use frame::{Develop, Frame, Linear};
+pub use frame::{Develop, Draw, Frame, Linear};
 
 use crate::chain::Chain;
 use crate::film::Film;
@@ -75,7 +75,7 @@ impl Engine {
         let frame = Frame::new(chain, size);
         let mut pixels = vec![[0; 3]; size.pixels()];
         self.share(size, &mut pixels, |first, pixels| {
-            frame.rows_at(self.level, &film, first, pixels);
+            S::draw(&frame, self.level, film, first, pixels);
         });
         Picture::from_rendering(size, pixels.into_flattened())
     }
@@ -85,7 +85,7 @@ impl Engine {
         let frame = Frame::new(chain, size);
         let mut pixels = vec![S::Vector::constant((), [0.0; 3]); size.pixels()];
         self.share(size, &mut pixels, |first, pixels| {
-            frame.rows_at(self.level, &Linear, first, pixels);
+            S::expose(&frame, self.level, first, pixels);
         });
         pixels
     }

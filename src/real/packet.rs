@@ -184,7 +184,7 @@ impl<L: Simd, E: Lane> Lanes for Packet<L, E> {
 
 /// Does a job with two packets in flight, at the level's width; one by one where it has none.
 pub(crate) fn in_packets<E: Lane>(level: Level, job: impl Job<E>) {
-    match level.simd() {
+    match level.simd().filter(|_| job.gains_from_packets()) {
         None => job.run::<E>(()),
         Some(level) => dispatch!(level, simd => in_pairs(simd, job)),
     }
