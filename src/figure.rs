@@ -151,7 +151,8 @@ impl Figure {
         ))
     }
 
-    /// The same, without keeping it: hands every pixel to `pixel` with its column and row, row-major.
+    /// The same, without keeping it: hands every pixel to `pixel` with its column and row,
+    /// row-major.
     ///
     /// # Errors
     /// None for the formats there are; the lab's scene is valid in each of them.

@@ -67,7 +67,8 @@ impl Integrator {
 }
 
 impl DirectLighting {
-    /// The light that a hit point sends back, from all lights it can see (the lab's `_directLighting`).
+    /// The light that a hit point sends back, from all lights it can see (the lab's
+    /// `_directLighting`).
     #[inline(always)]
     fn radiance<R: Real>(self, scene: &Scene<R::Scalar>, hit: &HitRecord<R>) -> R::Vector {
         let zero = hit.distance.constant(0.0);

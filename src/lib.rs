@@ -1,5 +1,5 @@
-//! Ombrage is a conformance kit for cast shadows: a university lab on shadows done right once, generic
-//! over `f32` and `f64`, measured against exact truth.
+//! Ombrage is a conformance kit for cast shadows: a university lab on shadows done right once,
+//! generic over `f32` and `f64`, measured against exact truth.
 //!
 //! # The map: from the lab's clauses to the items
 //!

@@ -27,8 +27,8 @@ pub trait Job<S: Scalar> {
         true
     }
 
-    /// Does it in lanes of type `R`. Must be `#[inline(always)]` down to the operations: only what is
-    /// inlined into the dispatching function uses the instructions of its level.
+    /// Does it in lanes of type `R`. Must be `#[inline(always)]` down to the operations: only what
+    /// is inlined into the dispatching function uses the instructions of its level.
     fn run<R: Lanes<Scalar = S>>(self, token: R::Token);
 }
 

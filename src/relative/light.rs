@@ -33,9 +33,9 @@ pub(super) struct Occluder<S: Scalar> {
 impl<S: Scalar> Light<S> {
     /// Adds to `sum` what the hit point sends back of this light.
     ///
-    /// With N the normal and L the way to the light, `color * intensity / L² * dot(N, L) / |L|`. The
-    /// height `dot(N, L)` is that of the light above the tangent plane of the hit, which is known
-    /// without the hit point: `dot(N, light) + t slope`, and for planes a constant.
+    /// With N the normal and L the way to the light, `color * intensity / L² * dot(N, L) / |L|`.
+    /// The height `dot(N, L)` is that of the light above the tangent plane of the hit, which is
+    /// known without the hit point: `dot(N, light) + t slope`, and for planes a constant.
     #[inline(always)]
     pub fn add<R: Real<Scalar = S>>(
         &self,
@@ -64,7 +64,8 @@ impl<S: Scalar> Light<S> {
         R::Vector::select(visible, lit, sum)
     }
 
-    /// Whether something stands between the point and the light, at distance `√square` of each other.
+    /// Whether something stands between the point and the light, at distance `√square` of each
+    /// other.
     #[inline(always)]
     fn blocked<R: Real<Scalar = S>>(
         &self,
@@ -87,11 +88,12 @@ impl<S: Scalar> Light<S> {
 }
 
 impl<S: Scalar> Occluder<S> {
-    /// Whether the sphere reaches into the way from `point` to the light, of squared length `square`.
+    /// Whether the sphere reaches into the way from `point` to the light, of squared length
+    /// `square`.
     ///
-    /// With p and l from the center to either end, the line passes at distance `|p x l| / |l - p|`, and
-    /// the nearest point lies between the ends where `dot(p, l)` is below both p² and l². A way that
-    /// only touches the sphere is free.
+    /// With p and l from the center to either end, the line passes at distance `|p x l| / |l - p|`,
+    /// and the nearest point lies between the ends where `dot(p, l)` is below both p² and l². A way
+    /// that only touches the sphere is free.
     #[inline(always)]
     fn blocks<R: Real<Scalar = S>>(&self, point: R::Vector, square: R) -> R::Mask {
         let token = square.token();

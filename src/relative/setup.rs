@@ -20,11 +20,12 @@ const MOST_OBJECTS: usize = 1 << 24;
 impl<S: Scalar> Relative<S> {
     /// The scene as a camera with this view sees it in a picture of this size.
     ///
-    /// Scene and view are taken as exact; what is rounded to `S` is the scene relative to the camera.
+    /// Scene and view are taken as exact; what is rounded to `S` is the scene relative to the
+    /// camera.
     ///
     /// # Errors
-    /// If the view is invalid ([`PerspectiveCamera::new`](crate::PerspectiveCamera::new) says when), or
-    /// there are more than 2^24 objects.
+    /// If the view is invalid ([`PerspectiveCamera::new`](crate::PerspectiveCamera::new) says
+    /// when), or there are more than 2^24 objects.
     pub fn new(
         scene: &Scene<f64>,
         view: &View<f64>,
