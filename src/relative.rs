@@ -5,12 +5,13 @@
 //! ever forms a point in world space. What it rests on:
 //!
 //! - A sphere is hit where the discriminant `r² D² - |c x D|²` is not negative (Lagrange's identity;
-//! no difference of squares of distances).
-//! - Whether a surface shadows itself is a sign, not a distance, so no epsilon is needed. The way from
-//! the camera to the point it sees crosses no surface; so camera and point are on the same side of
-//! every surface, and a surface that separates the light from the camera keeps it from every point
-//! the camera sees. Such lights are left out once a frame. Of what remains, planes and spheres
-//! around the camera block nothing, and only spheres beside the way to the light need a look.
+//!   no difference of squares of distances).
+//! - Whether a surface shadows itself is a sign, not a distance, so no epsilon is needed. The way
+//!   from the camera to the point it sees crosses no surface; so camera and point are on the same
+//!   side of every surface, and a surface that separates the light from the camera keeps it from
+//!   every point the camera sees. Such lights are left out once a frame. Of what remains, planes and
+//!   spheres around the camera block nothing, and only spheres beside the way to the light need a
+//!   look.
 //! - The surface a shadow ray leaves is skipped by its number; equal surfaces share one.
 
 mod light;

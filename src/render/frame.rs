@@ -84,9 +84,11 @@ impl<'a, S: Scalar> Frame<'a, S> {
         pixels: &mut [D::Pixel],
     ) {
         match self.chain {
-            ChainKind::Lab(chain) => self.rows_of::<R, _, D>(chain, token, develop, first, pixels),
+            ChainKind::Lab(chain) => {
+                self.rows_of::<R, _, D>(chain, token, develop, first, pixels);
+            }
             ChainKind::Relative(chain) => {
-                self.rows_of::<R, _, D>(chain, token, develop, first, pixels)
+                self.rows_of::<R, _, D>(chain, token, develop, first, pixels);
             }
         }
     }
