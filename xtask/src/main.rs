@@ -1,18 +1,9 @@
 //! The commands of the kit: `cargo xtask`.
 
-mod draw;
-mod error;
-mod figures;
-mod output;
-mod picture_file;
-mod progress;
-mod table;
-mod whole_file;
-mod workspace;
-
 use clap::{CommandFactory, Parser, Subcommand};
-use error::{Error, Result};
 use std::process::ExitCode;
+use xtask::error::{Error, Result};
+use xtask::{figures, output};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
