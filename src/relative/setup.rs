@@ -62,7 +62,7 @@ impl<S: Scalar> Relative<S> {
                 .collect(),
             lights: (lighting != Lighting::Eye).then(|| lights().collect()),
             background: round::<S>(exact_vector(scene.background())),
-            t_max_squared: S::from_double_double(t_max * t_max),
+            t_max_squared: square(t_max),
         })
     }
 }
@@ -219,11 +219,10 @@ impl ExactPlane {
 
     /// The plane, unless the camera is on it and cannot see it.
     fn round<S: Scalar>(&self, t_max: DoubleDouble) -> Option<Plane<S>> {
-        let reach = t_max / self.height;
         (side(self.height) != 0).then(|| Plane {
             normal: round::<S>(self.normal),
             height: S::from_double_double(self.height),
-            reach: S::from_double_double(reach * reach),
+            reach: square(t_max / self.height),
             number: number(self.number),
             color: round::<S>(exact_vector(self.color)),
         })
@@ -236,6 +235,16 @@ fn side(value: DoubleDouble) -> i8 {
         Some(Ordering::Less) => -1,
         Some(Ordering::Greater) => 1,
         _ => 0,
+    }
+}
+
+/// The square of a length, or of a ratio of lengths; the largest number where it is beyond `f64`.
+fn square<S: Scalar>(length: DoubleDouble) -> S {
+    let square = length * length;
+    if square.is_finite() {
+        S::from_double_double(square)
+    } else {
+        S::MAX
     }
 }
 
