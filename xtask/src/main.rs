@@ -3,7 +3,7 @@
 use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
-use xtask::{figures, output};
+use xtask::{figures, output, render};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
@@ -20,6 +20,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Figures(figures::Args),
+    Render(render::Args),
 }
 
 fn main() -> ExitCode {
@@ -40,6 +41,7 @@ fn run() -> Result<ExitCode> {
     };
     match cli.command {
         Some(Command::Figures(args)) => figures::run(&args),
+        Some(Command::Render(args)) => render::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;
             Ok(ExitCode::SUCCESS)

@@ -54,10 +54,8 @@ impl Source {
     pub fn parse(&self) -> Result<Spanned<DeTable<'_>>> {
         DeTable::parse(&self.text).map_err(|error| {
             let place = error.span().map_or(0, |span| span.start);
-            let found: String = self.text[place..]
-                .chars()
-                .take_while(|&c| c != '\n')
-                .collect();
+            let rest = self.text.get(place..).unwrap_or_default();
+            let found: String = rest.chars().take_while(|&c| c != '\n').collect();
             let found: String = found.trim().chars().take(40).collect();
             let what = format!(
                 "{} at {found:?}: write TOML, see docs/scenes.md",
