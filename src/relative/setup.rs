@@ -1,6 +1,6 @@
 //! Once a frame: the scene relative to its camera, in double-double, rounded at the end.
 
-use super::light::{Light, Occluder};
+use super::light::{Light, Near, Occluder};
 use super::sphere::Sphere;
 use super::{Lighting, Plane, Relative};
 use crate::camera::View;
@@ -155,6 +155,11 @@ impl Surfaces {
                 }
             }
         }
+        let near = self
+            .spheres
+            .iter()
+            .filter_map(|sphere| sphere.near(position));
+        let near = near.collect();
         let mut heights = vec![];
         for plane in &self.planes {
             let height = plane.height_of(position);
@@ -173,6 +178,7 @@ impl Surfaces {
             position,
             intensity,
             heights,
+            near,
             occluders,
             edges,
         })
@@ -184,6 +190,19 @@ impl ExactSphere {
     fn power_of(&self, position: Exact) -> DoubleDouble {
         let from_center = position - self.center;
         from_center.dot(from_center) - self.radius * self.radius
+    }
+
+    /// The sphere, if it is at least 4 times nearer to the light than the camera is.
+    fn near<S: Scalar>(&self, light: Exact) -> Option<Near<S>> {
+        let to_light = light - self.center;
+        let near = to_light.dot(to_light) * 16.0 < light.dot(light);
+        let outside = side(self.power) == 1;
+        let radius = if outside { self.radius } else { -self.radius };
+        near.then(|| Near {
+            number: number(self.number),
+            to_light: round::<S>(to_light),
+            radius: S::from_double_double(radius),
+        })
     }
 
     fn occluder<S: Scalar>(&self, light: Exact) -> Occluder<S> {
