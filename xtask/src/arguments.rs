@@ -22,7 +22,7 @@ pub struct Machine {
     #[arg(long, value_name = "LEVEL", default_value = "auto")]
     level: Level,
 
-    /// Compute on so many threads, at most 1024 [default: what the machine has and the work is worth]
+    /// Compute on so many threads, at most 1024 [default: what machine and picture are worth]
     #[arg(long, value_name = "N", value_parser = parse_threads)]
     threads: Option<NonZero<usize>>,
 }

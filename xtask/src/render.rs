@@ -16,8 +16,8 @@ use std::process::ExitCode;
 
 /// Draw the picture of a scene file (docs/scenes.md) as PNG
 ///
-/// The kit's own chain works relative to the camera and needs no offset for shadow rays. With --shadow
-/// it is the lab's chain instead, whose shadow rays leave their surface in the way named.
+/// The kit's own chain works relative to the camera and needs no offset for shadow rays. With
+/// --shadow it is the lab's chain instead, whose shadow rays leave their surface in the way named.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:

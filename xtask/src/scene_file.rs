@@ -92,8 +92,9 @@ const LIGHT: Kind = Kind {
 /// Reads a scene file.
 ///
 /// # Errors
-/// If the file cannot be read, is larger than 128 MiB, is not TOML, lacks a key or has one too many, or
-/// a value is not what its key takes. The message names the file, the line, the key, and what to write.
+/// If the file cannot be read, is larger than 128 MiB, is not TOML, lacks a key or has one too
+/// many, or a value is not what its key takes. The message names the file, the line, the key, and
+/// what to write.
 pub fn load(path: &Path) -> Result<SceneFile> {
     let source = Source::read(path)?;
     let document = source.parse()?;
