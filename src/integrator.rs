@@ -74,7 +74,7 @@ impl DirectLighting {
         let mut sum = R::Vector::new(zero, zero, zero);
         for light in scene.lights() {
             let sample = light.sample::<R>(hit.point, self.quality);
-            let cosine = cosine::<R>(hit.normal, sample.direction);
+            let cosine = hit.normal.dot(sample.direction);
             let facing = hit.mask & cosine.gt(zero);
             if !facing.any() {
                 continue;

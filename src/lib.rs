@@ -70,7 +70,7 @@ mod survey;
 mod vector;
 
 pub use camera::{PerspectiveCamera, View};
-pub use chain::{Chain, LabChain};
+pub use chain::{Chain, ChainKind, LabChain};
 pub use error::Invalid;
 pub use figure::{Detail, FIGURES, Figure};
 pub use film::Film;
@@ -81,11 +81,15 @@ pub use light::{LightSample, PointLight};
 pub use picture::{Picture, Size};
 pub use quality::Quality;
 pub use ray::{Ray, Span};
-pub use real::{DoubleDouble, Lane, Lanes, Mask, Packet, PacketMask, Pair, Real, Scalar};
+pub use real::{DoubleDouble, Job, Lane, Lanes, Mask, Packet, PacketMask, Pair, Real, Scalar};
 pub use relative::{Lighting, Relative};
-pub use render::{Develop, Dispatch, Engine, Frame, Linear, render, render_radiance};
+pub use render::{Develop, Draw, Engine, Frame, Linear, render, render_radiance};
 pub use scene::{HitRecord, Object, Scene};
 pub use shadow::{Shadow, ShadowRay};
 pub use shape::{Hit, Plane, Projection, Shape, Sphere};
 pub use survey::{Counts, Pixel, Survey};
 pub use vector::{Triple, Vector};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -14,10 +14,12 @@ mod packet;
 mod pair;
 
 pub use double_double::DoubleDouble;
-pub use lanes::Lanes;
+pub use lanes::{Job, Lanes};
+pub(crate) use packet::in_packets;
 pub use packet::{Lane, Packet, PacketMask};
 pub use pair::Pair;
 
+use crate::render::Draw;
 use crate::vector::Vector;
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -116,6 +118,7 @@ pub trait Real:
 /// A number with one lane: `f32`, `f64` or [`DoubleDouble`].
 pub trait Scalar:
     Real<Scalar = Self, Mask = bool, Token = (), Vector: PartialEq + Send + Sync>
+    + Draw
     + PartialEq
     + PartialOrd
     + Default

@@ -17,7 +17,7 @@ mod light;
 mod setup;
 mod sphere;
 
-use crate::chain::Chain;
+use crate::chain::{Chain, ChainKind};
 use crate::real::{Mask, Real, Scalar};
 use crate::vector::Vector;
 use light::Light;
@@ -140,6 +140,10 @@ impl<S: Scalar> Relative<S> {
 }
 
 impl<S: Scalar> Chain<S> for Relative<S> {
+    fn kind(&self) -> ChainKind<'_, S> {
+        ChainKind::Relative(self)
+    }
+
     /// From -1 at the first column or row to 1 at the last.
     fn coordinate(index: u32, count: u32) -> S {
         if count == 1 {

@@ -52,7 +52,12 @@ impl Place {
 
 fn render(scene: &Path, picture: &Path, args: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
-    command.arg("render").arg(scene).arg("--out").arg(picture).args(args);
+    command
+        .arg("render")
+        .arg(scene)
+        .arg("--out")
+        .arg(picture)
+        .args(args);
     command.output().expect("the program starts")
 }
 
@@ -92,7 +97,14 @@ fn options_choose_what_is_drawn() {
     };
     assert!(black(&acne) > black(&whole) + 80_000);
     for shadow in Shadow::ALL {
-        place.drawn(&["--size", "6x4", "--shadow", &shadow.name(), "--quality", "wide"]);
+        place.drawn(&[
+            "--size",
+            "6x4",
+            "--shadow",
+            &shadow.name(),
+            "--quality",
+            "wide",
+        ]);
     }
 }
 
@@ -108,12 +120,8 @@ fn rows_in_many_steps_are_the_rows_at_once() {
     let stepped = place.drawn(&["--size", "300x190"]);
     let file = xtask::scene_file::load(&place.scene()).expect("a scene");
     let size = stepped.size();
-    let chain = ombrage::Relative::<f64>::new(
-        &file.scene,
-        &file.view,
-        size,
-        ombrage::Lighting::Shadowed,
-    );
+    let chain =
+        ombrage::Relative::<f64>::new(&file.scene, &file.view, size, ombrage::Lighting::Shadowed);
     let whole = ombrage::render(&chain.expect("a chain"), size, ombrage::Film::Clamp);
     assert!(stepped == whole);
 }
@@ -121,13 +129,30 @@ fn rows_in_many_steps_are_the_rows_at_once() {
 #[test]
 fn json_says_what_was_done() {
     let place = Place::with(BASE);
-    let args = ["--json", "--size", "60x40", "--shadow", "offset=0.01", "--float", "f32"];
+    let args = [
+        "--json",
+        "--size",
+        "60x40",
+        "--shadow",
+        "offset=0.01",
+        "--float",
+        "f32",
+    ];
     let output = place.render(&[&args[..], &["--level", "scalar", "--threads", "3"]].concat());
     let row: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert_eq!(row["name"], "base");
-    assert_eq!((row["width"].as_u64(), row["height"].as_u64()), (Some(60), Some(40)));
-    assert_eq!((&row["float"], &row["shadow"]), (&"f32".into(), &"offset=0.01".into()));
-    assert_eq!((&row["level"], &row["threads"]), (&"scalar".into(), &3.into()));
+    assert_eq!(
+        (row["width"].as_u64(), row["height"].as_u64()),
+        (Some(60), Some(40))
+    );
+    assert_eq!(
+        (&row["float"], &row["shadow"]),
+        (&"f32".into(), &"offset=0.01".into())
+    );
+    assert_eq!(
+        (&row["level"], &row["threads"]),
+        (&"scalar".into(), &3.into())
+    );
     assert_eq!(row["quality"], "textbook");
     assert_eq!(row["file"].as_str(), place.picture().to_str());
     let [ms, ns] = ["ms", "ns_per_pixel"].map(|key| row[key].as_f64().expect("a number"));
@@ -138,8 +163,14 @@ fn json_says_what_was_done() {
 fn unknown_names_list_the_known_ones() {
     let place = Place::with(BASE);
     for (args, expected) in [
-        (["--shadow", "magic"], "relative, self-hitting, half-open, t-min=0.0001"),
-        (["--shadow", "t-min=nan"], "t-min= or offset= with another length"),
+        (
+            ["--shadow", "magic"],
+            "relative, self-hitting, half-open, t-min=0.0001",
+        ),
+        (
+            ["--shadow", "t-min=nan"],
+            "t-min= or offset= with another length",
+        ),
         (["--quality", "best"], "textbook, stable, wide"),
         (["--quality", "wide"], "--shadow"),
         (["--level", "mmx"], "auto, scalar"),
@@ -153,7 +184,10 @@ fn unknown_names_list_the_known_ones() {
     }
     if let Some(missing) = Level::ALL.into_iter().find(|level| !level.is_available()) {
         let error = place.refused(&["--level", missing.name()]);
-        assert!(error.contains(missing.name()) && error.contains("auto, scalar"), "{error}");
+        assert!(
+            error.contains(missing.name()) && error.contains("auto, scalar"),
+            "{error}"
+        );
     }
     let error = error(&render(&place.scene(), Path::new("picture.jpg"), &[]));
     assert!(error.contains("ends in .png"), "{error}");
@@ -162,37 +196,137 @@ fn unknown_names_list_the_known_ones() {
 /// What is wrong, the line, and what the message must contain beside it.
 const BAD: [(&str, &str, usize, &str); 33] = [
     ("name = \"base\"\n", "", 1, "no name: write name = \"base\""),
-    ("name = \"base\"", "name = 5", 2, "name is a number, but must be text"),
+    (
+        "name = \"base\"",
+        "name = 5",
+        2,
+        "name is a number, but must be text",
+    ),
     ("name = \"base\"", "name = \"\"", 2, "name is \"\""),
     ("name = \"base\"", "name = \"base", 2, "TOML"),
-    ("t_max = 1000", "t_max = 0", 4, "t_max is 0, but must be greater than 0"),
+    (
+        "t_max = 1000",
+        "t_max = 0",
+        4,
+        "t_max is 0, but must be greater than 0",
+    ),
     ("t_max = 1000", "t_max = nan", 4, "t_max is NaN"),
     ("t_max = 1000", "t_max = 1e999", 4, "1e999, too large"),
-    ("t_max = 1000", "t_max = 1000\nt_max = 2", 5, "duplicate key"),
-    ("t_max = 1000", "tmax = 1000", 4, "\"tmax\" is no key of the file: use name"),
-    ("[0.5, 0.5, 0.5]", "[0.5, -1, 0.5]", 3, "background is (0.5, -1, 0.5)"),
-    ("[camera]", "[kamera]", 6, "\"kamera\" is no key of the file"),
+    (
+        "t_max = 1000",
+        "t_max = 1000\nt_max = 2",
+        5,
+        "duplicate key",
+    ),
+    (
+        "t_max = 1000",
+        "tmax = 1000",
+        4,
+        "\"tmax\" is no key of the file: use name",
+    ),
+    (
+        "[0.5, 0.5, 0.5]",
+        "[0.5, -1, 0.5]",
+        3,
+        "background is (0.5, -1, 0.5)",
+    ),
+    (
+        "[camera]",
+        "[kamera]",
+        6,
+        "\"kamera\" is no key of the file",
+    ),
     ("[camera]", "[[camera]]", 6, "begin it with [camera]"),
     ("[sphere]", "sphere]\n[[x]", 18, "write TOML"),
     ("[[sphere]]", "[sphere]", 16, "begin it with [[sphere]]"),
-    ("position = [0, 0, -2]\n", "", 6, "[camera] has no position: write position ="),
-    ("position = [0, 0, -2]", "position = [0, 0]", 7, "a list of 2, but must be three"),
-    ("position = [0, 0, -2]", "position = [0, 0, nan]", 7, "camera position is (0, 0, NaN)"),
-    ("position = [0, 0, -2]", "position = [0, 0, \"-2\"]", 7, "a list with text in it"),
-    ("look_at = [0, 0, 79]", "look_at = [0, 0, -2]", 8, "another point"),
-    ("up = [0, 1, 0]", "up = [0, 0, 1]", 9, "camera up is (0, 0, 1)"),
+    (
+        "position = [0, 0, -2]\n",
+        "",
+        6,
+        "[camera] has no position: write position =",
+    ),
+    (
+        "position = [0, 0, -2]",
+        "position = [0, 0]",
+        7,
+        "a list of 2, but must be three",
+    ),
+    (
+        "position = [0, 0, -2]",
+        "position = [0, 0, nan]",
+        7,
+        "camera position is (0, 0, NaN)",
+    ),
+    (
+        "position = [0, 0, -2]",
+        "position = [0, 0, \"-2\"]",
+        7,
+        "a list with text in it",
+    ),
+    (
+        "look_at = [0, 0, 79]",
+        "look_at = [0, 0, -2]",
+        8,
+        "another point",
+    ),
+    (
+        "up = [0, 1, 0]",
+        "up = [0, 0, 1]",
+        9,
+        "camera up is (0, 0, 1)",
+    ),
     ("fov = 60", "fov = 180", 10, "between 0 and 180"),
-    ("fov = 60", "fov = true", 10, "camera fov is true or false, but must be a number"),
+    (
+        "fov = 60",
+        "fov = true",
+        10,
+        "camera fov is true or false, but must be a number",
+    ),
     ("width = 600", "width = 0", 12, "picture size is 0x400"),
-    ("width = 600", "width = 6.5", 13, "image width is 6.5, but must be a whole number"),
+    (
+        "width = 600",
+        "width = 6.5",
+        13,
+        "image width is 6.5, but must be a whole number",
+    ),
     ("width = 600", "width = -600", 13, "image width is -600"),
-    ("radius = 1", "radius = 0", 18, "sphere radius is 0, but must be finite and greater"),
+    (
+        "radius = 1",
+        "radius = 0",
+        18,
+        "sphere radius is 0, but must be finite and greater",
+    ),
     ("radius = 1", "radius = nan", 18, "sphere radius is NaN"),
-    ("radius = 1\n", "", 16, "[[sphere]] has no radius: write radius = 1"),
-    ("radius = 1", "radius = 1979-05-27", 18, "sphere radius is a date"),
-    ("radius = 1", "radius = 1\nmirror = 1", 19, "\"mirror\" is no key of [[sphere]]"),
-    ("normal = [0, 1, 0]", "normal = [0, 0, 0]", 23, "plane normal is (0, 0, 0)"),
-    ("color = [1, 1, 1]", "color = [1, 1, inf]", 28, "light color is (1, 1, inf)"),
+    (
+        "radius = 1\n",
+        "",
+        16,
+        "[[sphere]] has no radius: write radius = 1",
+    ),
+    (
+        "radius = 1",
+        "radius = 1979-05-27",
+        18,
+        "sphere radius is a date",
+    ),
+    (
+        "radius = 1",
+        "radius = 1\nmirror = 1",
+        19,
+        "\"mirror\" is no key of [[sphere]]",
+    ),
+    (
+        "normal = [0, 1, 0]",
+        "normal = [0, 0, 0]",
+        23,
+        "plane normal is (0, 0, 0)",
+    ),
+    (
+        "color = [1, 1, 1]",
+        "color = [1, 1, inf]",
+        28,
+        "light color is (1, 1, inf)",
+    ),
     ("power = 100", "power = -100", 29, "light power is -100"),
 ];
 
@@ -210,7 +344,10 @@ fn bad_files_are_refused_with_their_line() {
     let mut text = BASE.to_owned();
     text.replace_range(camera, "");
     let error = Place::with(text).refused(&[]);
-    assert!(error.contains(":1: [camera] is missing: write [camera]"), "{error}");
+    assert!(
+        error.contains(":1: [camera] is missing: write [camera]"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -238,6 +375,9 @@ fn what_is_no_scene_file_is_refused() {
 fn numbers_beyond_f32_are_refused_in_f32_only() {
     let place = Place::with(BASE.replace("radius = 1", "radius = 1e-50"));
     let error = place.refused(&["--float", "f32", "--shadow", "skip-self"]);
-    assert!(error.contains("in f32, sphere radius is 0") && error.contains("f64"), "{error}");
+    assert!(
+        error.contains("in f32, sphere radius is 0") && error.contains("f64"),
+        "{error}"
+    );
     place.drawn(&["--shadow", "skip-self"]);
 }

@@ -2,8 +2,8 @@
 //! makes the reader panic.
 
 use ombrage::{
-    DirectLighting, Dispatch, Engine, Film, Integrator, LabChain, Level, Lighting,
-    PerspectiveCamera, Picture, Quality, Relative, Shadow, ShadowQuery, Size,
+    DirectLighting, Engine, Film, Integrator, LabChain, Level, Lighting, PerspectiveCamera,
+    Picture, Quality, Relative, Scalar, Shadow, ShadowQuery, Size,
 };
 use proptest::prelude::*;
 use std::fs;
@@ -34,13 +34,13 @@ fn named(name: &str) -> SceneFile {
     load(path.expect("a scene"))
 }
 
-fn relative<S: Dispatch>(file: &SceneFile, size: Size, engine: Engine) -> Picture {
+fn relative<S: Scalar>(file: &SceneFile, size: Size, engine: Engine) -> Picture {
     let chain = Relative::<S>::new(&file.scene, &file.view, size, Lighting::Shadowed);
     engine.render(&chain.expect("a chain"), size, Film::Clamp)
 }
 
 /// `None` where the scene does not fit the format.
-fn lab<S: Dispatch>(
+fn lab<S: Scalar>(
     file: &SceneFile,
     size: Size,
     engine: Engine,
@@ -84,7 +84,7 @@ fn every_scene_loads_under_its_name() {
     }
 }
 
-fn bits_are_the_same<S: Dispatch>() {
+fn bits_are_the_same<S: Scalar>() {
     let size = Size::new(37, 23).expect("a size");
     let scalar = Engine::new(Level::Scalar, NonZero::new(1)).expect("a level");
     let ways = Shadow::ALL.map(|shadow| (Quality::Stable, shadow));

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::picture_file;
 use crate::whole_file::WholeFile;
 use indicatif::ProgressBar;
-use ombrage::{Dispatch, Engine, Figure, Film, Picture, Size};
+use ombrage::{Engine, Figure, Film, Picture, Scalar, Size};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -58,7 +58,7 @@ pub enum Task<'a> {
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn work<S: Dispatch>(
+pub fn work<S: Scalar>(
     figure: &'static Figure,
     size: Size,
     engine: Engine,

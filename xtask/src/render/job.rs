@@ -5,8 +5,8 @@ use crate::error::{Error, Result};
 use crate::progress;
 use crate::scene_file::SceneFile;
 use ombrage::{
-    Chain, DirectLighting, Dispatch, Engine, Film, Integrator, Invalid, LabChain, Lighting,
-    PerspectiveCamera, Picture, Quality, Relative, Shadow, ShadowQuery, Size,
+    Chain, DirectLighting, Engine, Film, Integrator, Invalid, LabChain, Lighting,
+    PerspectiveCamera, Picture, Quality, Relative, Scalar, Shadow, ShadowQuery, Size,
 };
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -69,7 +69,7 @@ impl Job<'_> {
     ///
     /// # Errors
     /// If the scene does not fit the format, or the processor does not have the level.
-    pub fn draw<S: Dispatch>(&self, out: &Path) -> Result<(Picture, Row)> {
+    pub fn draw<S: Scalar>(&self, out: &Path) -> Result<(Picture, Row)> {
         let SceneFile { scene, view, .. } = self.content;
         let engine = self.machine.engine(self.pairs() > LONG)?;
         let start = Instant::now();
@@ -111,7 +111,7 @@ impl Job<'_> {
     }
 
     /// All rows of the picture, with a progress bar where they are long work.
-    fn rows<S: Dispatch>(&self, chain: &impl Chain<S>, engine: Engine) -> Result<Picture> {
+    fn rows<S: Scalar>(&self, chain: &impl Chain<S>, engine: Engine) -> Result<Picture> {
         let bar = progress::bar(u64::from(self.size.height()), self.pairs() > LONG);
         bar.set_message(self.content.name.clone());
         let height = self.size.height();
@@ -132,7 +132,7 @@ impl Job<'_> {
     }
 
     /// A scene or camera that is valid in `f64` but not in this format.
-    fn misfit<S: Dispatch>(&self, invalid: &Invalid) -> Error {
+    fn misfit<S: Scalar>(&self, invalid: &Invalid) -> Error {
         let (path, float) = (self.path.display(), S::NAME);
         let advice = match float {
             "f32" => "change it, or compute with --float f64",
@@ -141,7 +141,7 @@ impl Job<'_> {
         Error::new(format!("{path}: in {float}, {invalid}: {advice}"))
     }
 
-    fn row<S: Dispatch>(&self, seconds: f64, engine: Engine, out: &Path) -> Row {
+    fn row<S: Scalar>(&self, seconds: f64, engine: Engine, out: &Path) -> Row {
         let (shadow, quality) = match self.method {
             Method::Relative => ("relative".to_owned(), None),
             Method::Lab { shadow, quality } => (shadow.name(), Some(quality.name())),
