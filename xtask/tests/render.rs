@@ -109,7 +109,7 @@ fn options_choose_what_is_drawn() {
 }
 
 #[test]
-fn rows_in_many_steps_are_the_rows_at_once() {
+fn rows_in_steps_are_the_rows_at_once() {
     let mut text = BASE.to_owned();
     for i in 0..3000 {
         let x = f64::from(i) * 0.001;
@@ -237,7 +237,7 @@ const BAD: [(&str, &str, usize, &str); 33] = [
         "\"kamera\" is no key of the file",
     ),
     ("[camera]", "[[camera]]", 6, "begin it with [camera]"),
-    ("[sphere]", "sphere]\n[[x]", 18, "write TOML"),
+    ("[[sphere]]", "[[sphere]", 16, "write TOML"),
     ("[[sphere]]", "[sphere]", 16, "begin it with [[sphere]]"),
     (
         "position = [0, 0, -2]\n",
