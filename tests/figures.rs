@@ -216,7 +216,7 @@ fn background_is_127_through_row_200_and_plane_starts_at_row_201<F: Float>() {
         assert!(
             rows[..200]
                 .iter()
-                .all(|row| !row.iter().any(|p| p.on_plane()))
+                .all(|row| !row.iter().any(Pixel::on_plane))
         );
     }
 }

@@ -1,18 +1,9 @@
 //! The commands of the kit: `cargo xtask`.
 
-mod draw;
-mod error;
-mod figures;
-mod output;
-mod picture_file;
-mod progress;
-mod table;
-mod whole_file;
-mod workspace;
-
 use clap::{CommandFactory, Parser, Subcommand};
-use error::{Error, Result};
 use std::process::ExitCode;
+use xtask::error::{Error, Result};
+use xtask::{figures, output, render};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
@@ -29,6 +20,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Figures(figures::Args),
+    Render(render::Args),
 }
 
 fn main() -> ExitCode {
@@ -49,6 +41,7 @@ fn run() -> Result<ExitCode> {
     };
     match cli.command {
         Some(Command::Figures(args)) => figures::run(&args),
+        Some(Command::Render(args)) => render::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;
             Ok(ExitCode::SUCCESS)
