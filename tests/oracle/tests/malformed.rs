@@ -120,7 +120,7 @@ fn messages() {
 #[test]
 fn every_special_float_everywhere() {
     for request in requests() {
-        for pointer in pointers(&request["in"], "/in".into()) {
+        for pointer in pointers(&request["in"], "/in") {
             for bits in [
                 "7fc00000", "7f800000", "ff800000", "80000000", "00000001", "7f7fffff", "ff7fffff",
             ] {
