@@ -84,6 +84,20 @@ fn every_scene_loads_under_its_name() {
     }
 }
 
+#[test]
+fn the_documented_example_is_the_scene_of_the_lab() {
+    let text = include_str!("../../docs/scenes.md");
+    let example = text.split("```").nth(1).expect("an example");
+    let directory = tempfile::tempdir().expect("a directory");
+    let path = directory.path().join("example.toml");
+    fs::write(&path, example.trim_start_matches("toml")).expect("a file");
+    for file in [load(&path), named("base")] {
+        assert_eq!(file.scene, ombrage::lab::scene().expect("a scene"));
+        assert_eq!(file.view, ombrage::lab::view());
+        assert_eq!(file.size, Size::LAB);
+    }
+}
+
 fn bits_are_the_same<S: Scalar>() {
     let size = Size::new(37, 23).expect("a size");
     let scalar = Engine::new(Level::Scalar, NonZero::new(1)).expect("a level");
