@@ -173,14 +173,13 @@ fn the_own_chain_draws_the_same_picture_in_f32() {
 
 #[test]
 fn a_camera_without_end_sees_the_plane_up_to_the_horizon() {
-    let [infinite, mut finite] = ["infinite", "base"].map(named);
-    finite.size = infinite.size;
+    let [infinite, finite] = ["infinite", "base"].map(named);
     let is_background = |file: &SceneFile, row| {
-        let picture = relative::<f64>(file, file.size, Engine::default());
-        let mut columns = 0..file.size.width();
+        let picture = relative::<f64>(file, Size::LAB, Engine::default());
+        let mut columns = 0..Size::LAB.width();
         columns.any(|column| picture.pixel(column, row) == Some([127; 3]))
     };
-    let horizon = infinite.size.height() / 2;
+    let horizon = Size::LAB.height() / 2;
     assert!(is_background(&infinite, horizon - 1));
     assert!(!is_background(&infinite, horizon));
     assert!(is_background(&finite, horizon));
