@@ -84,6 +84,20 @@ fn every_scene_loads_under_its_name() {
     }
 }
 
+#[test]
+fn the_documented_example_is_the_scene_of_the_lab() {
+    let text = include_str!("../../docs/scenes.md");
+    let example = text.split("```").nth(1).expect("an example");
+    let directory = tempfile::tempdir().expect("a directory");
+    let path = directory.path().join("example.toml");
+    fs::write(&path, example.trim_start_matches("toml")).expect("a file");
+    for file in [load(&path), named("base")] {
+        assert_eq!(file.scene, ombrage::lab::scene().expect("a scene"));
+        assert_eq!(file.view, ombrage::lab::view());
+        assert_eq!(file.size, Size::LAB);
+    }
+}
+
 fn bits_are_the_same<S: Scalar>() {
     let size = Size::new(37, 23).expect("a size");
     let scalar = Engine::new(Level::Scalar, NonZero::new(1)).expect("a level");
@@ -159,14 +173,13 @@ fn the_own_chain_draws_the_same_picture_in_f32() {
 
 #[test]
 fn a_camera_without_end_sees_the_plane_up_to_the_horizon() {
-    let [infinite, mut finite] = ["infinite", "base"].map(named);
-    finite.size = infinite.size;
+    let [infinite, finite] = ["infinite", "base"].map(named);
     let is_background = |file: &SceneFile, row| {
-        let picture = relative::<f64>(file, file.size, Engine::default());
-        let mut columns = 0..file.size.width();
+        let picture = relative::<f64>(file, Size::LAB, Engine::default());
+        let mut columns = 0..Size::LAB.width();
         columns.any(|column| picture.pixel(column, row) == Some([127; 3]))
     };
-    let horizon = infinite.size.height() / 2;
+    let horizon = Size::LAB.height() / 2;
     assert!(is_background(&infinite, horizon - 1));
     assert!(!is_background(&infinite, horizon));
     assert!(is_background(&finite, horizon));
