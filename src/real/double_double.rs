@@ -51,6 +51,10 @@ impl DoubleDouble {
     /// The same for `|a| >= |b|`, in three operations (Dekker's fast two-sum).
     #[inline(always)]
     fn ordered(a: f64, b: f64) -> Self {
+        if !(a.is_finite() && b.is_finite()) {
+            // The error of an infinity, or of a factor too large to split, is not a number.
+            return Self::of(a, 0.0);
+        }
         let high = a + b;
         Self::of(high, b - (high - a))
     }
