@@ -14,6 +14,7 @@
 //!   look.
 //! - The surface a shadow ray leaves is skipped by its number; equal surfaces share one.
 
+mod follow;
 mod light;
 mod setup;
 mod sphere;
@@ -138,6 +139,38 @@ impl<S: Scalar> Relative<S> {
         }
         nearest
     }
+
+    /// The direction through a point of the picture.
+    #[inline(always)]
+    fn direction<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector {
+        let token = across.token();
+        R::Vector::splat(token, self.forward) - R::Vector::splat(token, self.up) * down
+            + R::Vector::splat(token, self.right) * across
+    }
+
+    /// The radiance along a direction.
+    #[inline(always)]
+    fn radiance_along<R: Real<Scalar = S>>(&self, direction: R::Vector) -> R::Vector {
+        let token = direction.x().token();
+        let background = R::Vector::splat(token, self.background);
+        let square = direction.dot(direction);
+        let hit = self.nearest(direction, square);
+        if !hit.mask.any() {
+            return background;
+        }
+        let radiance = match &self.lights {
+            None => hit.color * (hit.slope * (square.constant(1.0) / square).sqrt()),
+            Some(lights) => {
+                let zero = square.constant(0.0);
+                let mut sum = R::Vector::new(zero, zero, zero);
+                for light in lights {
+                    sum = light.add(sum, &hit, direction);
+                }
+                sum
+            }
+        };
+        R::Vector::select(hit.mask, radiance, background)
+    }
 }
 
 impl<S: Scalar> Chain<S> for Relative<S> {
@@ -156,27 +189,6 @@ impl<S: Scalar> Chain<S> for Relative<S> {
 
     #[inline(always)]
     fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector {
-        let token = across.token();
-        let direction = R::Vector::splat(token, self.forward)
-            - R::Vector::splat(token, self.up) * down
-            + R::Vector::splat(token, self.right) * across;
-        let background = R::Vector::splat(token, self.background);
-        let square = direction.dot(direction);
-        let hit = self.nearest(direction, square);
-        if !hit.mask.any() {
-            return background;
-        }
-        let radiance = match &self.lights {
-            None => hit.color * (hit.slope * (across.constant(1.0) / square).sqrt()),
-            Some(lights) => {
-                let zero = across.constant(0.0);
-                let mut sum = R::Vector::new(zero, zero, zero);
-                for light in lights {
-                    sum = light.add(sum, &hit, direction);
-                }
-                sum
-            }
-        };
-        R::Vector::select(hit.mask, radiance, background)
+        self.radiance_along::<R>(self.direction::<R>(across, down))
     }
 }

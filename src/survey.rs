@@ -30,6 +30,12 @@ pub struct Pixel {
 }
 
 impl Pixel {
+    /// The level of a radiance.
+    pub(crate) fn level_of<S: Scalar>(radiance: S::Vector) -> u64 {
+        let levels = radiance.to_array().map(|x| (x.to_f64() * 255.0) as u64);
+        levels.into_iter().max().unwrap_or(0)
+    }
+
     /// Falsely black: the surface shadows itself and nothing else does.
     pub fn is_acne(&self) -> bool {
         self.blocked_by_itself && !self.blocked_by_another
@@ -153,11 +159,7 @@ pub(crate) fn visit<S: Scalar>(
 
 /// What happens along one primary ray.
 fn follow<S: Scalar>(scene: &Scene<S>, ray: &Ray<S>, integrator: Integrator) -> Pixel {
-    let brightest = integrator
-        .radiance(scene, ray)
-        .to_array()
-        .map(|x| (x.to_f64() * 255.0) as u64);
-    let level = brightest.into_iter().max().unwrap_or(0);
+    let level = Pixel::level_of::<S>(integrator.radiance(scene, ray));
     let span = Span::new(S::from_f64(0.0), scene.t_max());
     let hit = scene.intersect(ray, &span, integrator.quality());
     if !hit.mask {

@@ -43,22 +43,15 @@ pub(super) struct Occluder<S: Scalar> {
 }
 
 impl<S: Scalar> Light<S> {
-    /// Adds to `sum` what the hit point sends back of this light.
+    /// How high the light is above the tangent plane of the hit: where it is not above 0, the hit
+    /// turns away from it.
     ///
-    /// With N the normal and L the way to the light, `color * intensity / L² * dot(N, L) / |L|`.
-    /// The height `dot(N, L)` is that of the light above the tangent plane of the hit, which is
-    /// known without the hit point: `dot(N, light) + t slope`, and for planes a constant. Far from
-    /// the camera that sum cancels; for a sphere near the light it is `dot(N, center to light) -
-    /// radius`.
+    /// With N the normal it is `dot(N, L)`, L the way to the light, which is known without the hit
+    /// point: `dot(N, light) + t slope`, and for planes a constant. Far from the camera that sum
+    /// cancels; for a sphere near the light it is `dot(N, center to light) - radius`.
     #[inline(always)]
-    pub fn add<R: Real<Scalar = S>>(
-        &self,
-        sum: R::Vector,
-        hit: &Nearest<R>,
-        direction: R::Vector,
-    ) -> R::Vector {
+    pub fn height<R: Real<Scalar = S>>(&self, hit: &Nearest<R>) -> R {
         let token = hit.t.token();
-        let zero = hit.t.constant(0.0);
         let position = R::Vector::splat(token, self.position);
         let mut height = hit.normal.dot(position) + hit.t * hit.slope;
         for &(number, constant) in &self.heights {
@@ -69,18 +62,41 @@ impl<S: Scalar> Light<S> {
             let above = above - R::splat(token, near.radius);
             height = R::select(hit.is_number(near.number), above, height);
         }
+        height
+    }
+
+    /// Adds to `sum` what the hit point sends back of this light.
+    ///
+    /// With N the normal and L the way to the light, `color * intensity / L² * dot(N, L) / |L|`.
+    #[inline(always)]
+    pub fn add<R: Real<Scalar = S>>(
+        &self,
+        sum: R::Vector,
+        hit: &Nearest<R>,
+        direction: R::Vector,
+    ) -> R::Vector {
+        let token = hit.t.token();
+        let zero = hit.t.constant(0.0);
+        let height = self.height(hit);
         let facing = hit.mask & height.gt(zero);
         if !facing.any() {
             return sum;
         }
         let point = direction * hit.t;
-        let to_light = position - point;
+        let to_light = R::Vector::splat(token, self.position) - point;
         let square = to_light.dot(to_light);
         let visible = facing & !self.blocked(hit, direction, point, square);
         let y = (zero.constant(1.0) / square).sqrt();
         let intensity = R::Vector::splat(token, self.intensity);
         let lit = sum + hit.color * intensity * (height * y * (y * y));
         R::Vector::select(visible, lit, sum)
+    }
+
+    /// Whether something stands between the hit and the light.
+    pub fn blocked_on_the_way(&self, hit: &Nearest<S>, direction: S::Vector) -> bool {
+        let point = direction * hit.t;
+        let to_light = self.position - point;
+        self.blocked(hit, direction, point, to_light.dot(to_light))
     }
 
     /// Whether something stands between the point and the light, at distance `√square` of each
