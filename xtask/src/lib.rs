@@ -1,14 +1,20 @@
 //! The commands of the kit, and what they share.
 
 pub mod arguments;
+pub mod case;
+pub mod clock;
+pub mod compare;
 pub mod draw;
 pub mod error;
 pub mod figures;
 pub mod output;
+pub mod parallel;
 pub mod picture_file;
 pub mod progress;
 pub mod render;
 pub mod scene_file;
+pub mod shadows;
 pub mod table;
+pub mod truth;
 pub mod whole_file;
 pub mod workspace;

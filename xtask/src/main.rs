@@ -3,7 +3,7 @@
 use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
-use xtask::{figures, output, render};
+use xtask::{compare, figures, output, render, shadows};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
@@ -20,6 +20,8 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Figures(figures::Args),
+    Shadows(shadows::Args),
+    Compare(compare::Args),
     Render(render::Args),
 }
 
@@ -41,6 +43,8 @@ fn run() -> Result<ExitCode> {
     };
     match cli.command {
         Some(Command::Figures(args)) => figures::run(&args),
+        Some(Command::Shadows(args)) => shadows::run(&args),
+        Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Render(args)) => render::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;
