@@ -7,6 +7,7 @@ mod output;
 mod picture_file;
 mod progress;
 mod table;
+mod vectors;
 mod whole_file;
 mod workspace;
 
@@ -29,6 +30,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Figures(figures::Args),
+    Vectors(vectors::Args),
 }
 
 fn main() -> ExitCode {
@@ -49,6 +51,7 @@ fn run() -> Result<ExitCode> {
     };
     match cli.command {
         Some(Command::Figures(args)) => figures::run(&args),
+        Some(Command::Vectors(args)) => vectors::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;
             Ok(ExitCode::SUCCESS)
