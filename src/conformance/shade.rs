@@ -230,14 +230,14 @@ fn apart(difference: D, terms: D) -> Ordering {
     }
 }
 
-/// The lower end of an interval that does not contain its end. Hits at parameters between 0 and 2^-800
-/// are given up for it.
+/// The lower end of an interval that does not contain its end. Hits at parameters between 0 and 2^-400,
+/// whose squares would be lost, are given up for it.
 fn just_above(t: D) -> D {
     let step = t.abs() * (4.0 * D::EPSILON);
     if step > D::from_f64(0.0) {
         t + step
     } else {
-        D::from_f64(2f64.powi(-800))
+        D::from_f64(2f64.powi(-400))
     }
 }
 

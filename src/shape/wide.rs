@@ -110,12 +110,6 @@ pub(super) fn within<S: Scalar>(t: S, span: &Span<S>) -> S {
 /// Where `t` lies, if its error leaves no doubt: `Some(true)` in the interval, `Some(false)` outside.
 pub(super) fn surely_in<W: Scalar>(t: W, span: &Span<W>, trust: f64) -> Option<bool> {
     let trust = W::from_f64(trust);
-    let [below, above] = [t - span.min, span.max - t];
-    let sure = |room: W, end: W| room.abs().gt((t.abs() + end.abs()) * trust);
-    if !(t.is_finite() && sure(below, span.min) && (!span.max.is_finite() || sure(above, span.max)))
-    {
-        return None;
-    }
-    let zero = W::from_f64(0.0);
-    Some(below.gt(zero) & above.gt(zero))
+    let sure = |end: W| !end.is_finite() || (t - end).abs().gt((t.abs() + end.abs()) * trust);
+    (t.is_finite() && sure(span.min) && sure(span.max)).then(|| span.min.lt(t) & t.lt(span.max))
 }

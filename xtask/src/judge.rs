@@ -63,10 +63,14 @@ pub fn judge(case: &Value, out: &Value) -> Verdict {
     verdict.unwrap_or(Verdict::of(Some(Wrong::Malformed)))
 }
 
+/// A decision nearer to another than this many a-priori bounds may fall either way, where the allowed error is one of
+/// those bounds: what the stable forms promise.
+const MARGIN: f64 = 3.0;
+
 /// Whether an answer with this verdict is more wrong than allowed.
 pub fn fails(case: &Value, verdict: &Verdict, allowed: Allowed) -> bool {
     match (allowed, verdict.wrong) {
-        (Allowed::Bound(k), Some(Wrong::Decision | Wrong::Root)) => !excused(case, f64::from(k)),
+        (Allowed::Bound(_), Some(Wrong::Decision | Wrong::Root)) => !excused(case, MARGIN),
         (_, Some(_)) => true,
         (Allowed::Exact, None) => false,
         (Allowed::CorrectlyRounded, None) => verdict.ulps > 0.5,
@@ -127,6 +131,11 @@ fn exact(number: &Value) -> Option<Real> {
 
 fn hit<F: Float>(exp: &Value, t: &Value) -> Option<Verdict> {
     let should_hit = exp["hit"]["closed"].as_bool()?;
+    // A hit needs a t that is a number: where the exact one is beyond the format, there is none.
+    let beyond = should_hit && float::<F>(&exp["t"]["bits"])?.to_f64().is_infinite();
+    if t.is_null() && beyond {
+        return Some(Verdict::of(None));
+    }
     if t.is_null() || !should_hit {
         return Some(Verdict::right_if(
             t.is_null() != should_hit,
@@ -142,7 +151,7 @@ fn hit<F: Float>(exp: &Value, t: &Value) -> Option<Verdict> {
         None => None,
     };
     let ulps = in_ulps(t, &truth, format);
-    let wrong = other.is_some_and(|other| in_ulps(t, &other, format) < ulps && other != truth);
+    let wrong = ulps > 1.0 && other.is_some_and(|other| in_ulps(t, &other, format) < ulps);
     let units = exp["bound_u"]
         .as_f64()
         .map(|bound| in_units(t, &truth, format) / bound);

@@ -7,6 +7,10 @@ use crate::real::{DoubleDouble, Scalar};
 use crate::vector::Vector;
 use std::cmp::Ordering;
 
+/// 2^600, and 2^300, whose products with numbers of about 1 are in range.
+const LARGE: f64 = f64::from_bits((1023 + 600) << 52);
+const FAR: f64 = f64::from_bits((1023 + 300) << 52);
+
 /// A ray and a plane one precision up, scaled so that no component is above 2.
 struct Question<W: Scalar> {
     origin: W::Vector,
@@ -75,19 +79,18 @@ impl<W: Scalar> Question<W> {
 
     /// The answer where every decision is exact, and the number is right to about 2^-100.
     fn exact(&self) -> Option<DoubleDouble> {
-        let normal = exact3::<W>(self.normal);
+        // Far above 1, so that products of components that are far below it are kept.
+        let [x, y, z] = self.normal.to_array().map(|n| n.scaled(LARGE));
+        let normal = exact3::<W>(W::Vector::new(x, y, z));
         let to_point = difference(&exact3::<W>(self.point), &exact3::<W>(self.origin));
         let height = dot(&to_point, &normal);
         let slope = dot(&exact3::<W>(self.direction), &normal);
-        // Where the hit lies, seen from t; no hit is as far as 1e200 scaled units.
+        let parameter = height.round() / slope.round();
+        // Where the hit lies, seen from t.
         let order = |t: W| {
-            let far = W::from_f64(1e200);
-            if t.abs().gt(far) {
-                return if t.gt(far) {
-                    Ordering::Less
-                } else {
-                    Ordering::Greater
-                };
+            if t.abs().gt(W::from_f64(FAR)) {
+                let order = parameter.partial_cmp(&t.to_double_double());
+                return order.unwrap_or(Ordering::Less);
             }
             let above = (&height - &(&Expansion::from(t) * &slope)).sign();
             if slope.sign().is_lt() {
@@ -98,6 +101,6 @@ impl<W: Scalar> Question<W> {
         };
         let hit =
             slope.sign().is_ne() && order(self.span.min).is_ge() && order(self.span.max).is_le();
-        hit.then(|| height.round() / slope.round())
+        hit.then_some(parameter)
     }
 }
