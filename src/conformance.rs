@@ -10,7 +10,7 @@ mod shade;
 mod surface;
 
 pub use kernels::{Kernels, Offset};
-pub use precision::{Allowed, KNOWN_FAILURES, KnownFailure, Precision, precision};
+pub use precision::{Allowed, KNOWN_FAILURES, KnownFailure, Precision, known_failures, precision};
 pub use shade::{Shade, Shaded};
 pub use surface::{Ends, Surface};
 
