@@ -152,7 +152,6 @@ pub const KNOWN_FAILURES: &[KnownFailure] = &[
             "mixed_scales",
             "near_tangent",
             "nonunit_direction",
-            "origin_rounded_on_surface_in",
             "tiny_far_r1e-3_at1e4",
         ],
         reason: "b² - 4ac cancels: beyond the bound of a stable form",

@@ -2,7 +2,7 @@
 //! place from tangency, against the oracle.
 
 use ombrage::conformance::{Allowed, Kernel};
-use ombrage::{Float, Quality, Scalar};
+use ombrage::{Float, Quality};
 use ombrage_oracle::{Format, truth};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};

@@ -3,8 +3,10 @@
 mod draw;
 mod error;
 mod figures;
+mod kernels;
 mod output;
 mod picture_file;
+mod precision;
 mod progress;
 mod table;
 mod vectors;
@@ -30,6 +32,8 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Figures(figures::Args),
+    Kernels(kernels::Args),
+    Precision(precision::Args),
     Vectors(vectors::Args),
 }
 
@@ -51,6 +55,8 @@ fn run() -> Result<ExitCode> {
     };
     match cli.command {
         Some(Command::Figures(args)) => figures::run(&args),
+        Some(Command::Kernels(args)) => kernels::run(&args),
+        Some(Command::Precision(args)) => precision::run(&args),
         Some(Command::Vectors(args)) => vectors::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;

@@ -22,8 +22,8 @@ pub fn doubles<F: Float>(v: F::Vector) -> [f64; 3] {
 /// Whether an error of `k` times the a-priori bound may change what the ray hits of the surface: a root
 /// is as near as that to an end of the interval, or the line as near to tangency.
 ///
-/// Of a tangent line the discriminant over (r |d|)² is known to about 2 u (1 + f/r), f being the distance
-/// of the origin from the center: the residual has an error of u (f + m), m = r, and is squared. A root of
+/// With f the distance of the origin from the center and m that of the line, a stable form knows m to
+/// k u (f + m), so the margin 1 - (m/r)² to what that makes of the square. A root of
 /// exactly 0 and a parallel ray have no bound, and are near only to an end of 0 and to any.
 pub fn is_marginal<F: Float>(
     ray: &Ray<F>,
@@ -56,8 +56,9 @@ pub fn is_marginal<F: Float>(
                 return false;
             };
             let truth = sphere.meet(&exact);
-            let tangency = 2.0 * format.unit_roundoff() * (1.0 + truth.f_over_r);
-            truth.tangent_margin.abs() <= k * tangency
+            let miss = (1.0 - truth.tangent_margin).max(0.0).sqrt();
+            let residual = k * format.unit_roundoff() * (truth.f_over_r + miss);
+            truth.tangent_margin.abs() <= (2.0 * miss + residual) * residual
                 || sphere.bounded_roots(&exact).is_some_and(|roots| {
                     roots
                         .into_iter()
