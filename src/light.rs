@@ -85,9 +85,9 @@ impl<S: Scalar> PointLight<S> {
             reciprocal: one,
         };
         let (to_light, stretch, Scale { unit, reciprocal }) = match quality {
-            Quality::Textbook => (position - point, one, whole),
+            Quality::Textbook => (position - point, whole, whole),
             Quality::Stable | Quality::Wide => {
-                let (to_light, stretch) = difference(position, point);
+                let (to_light, stretch) = difference::<R>(position, point);
                 (to_light, stretch, Scale::<R>::of_vector(to_light))
             }
         };
@@ -97,13 +97,13 @@ impl<S: Scalar> PointLight<S> {
             Quality::Textbook => color * (power / square),
             Quality::Stable | Quality::Wide => {
                 let [coarse, fine] = self.halves.map(|half| R::Vector::splat(token, half));
-                let reciprocal = reciprocal / stretch;
+                let reciprocal = reciprocal * stretch.reciprocal;
                 fine * (reciprocal / square) * (coarse * reciprocal)
             }
         };
         LightSample {
             direction: to_light.normalized(),
-            distance: square.sqrt() * unit * stretch,
+            distance: square.sqrt() * unit * stretch.unit,
             radiance,
             pdf: one,
         }
@@ -125,9 +125,9 @@ fn halves<S: Scalar>(color: S::Vector, power: S) -> [S::Vector; 2] {
     [coarse * coarse_power, fine * (power / coarse_power)]
 }
 
-/// `a - b` over a stretch: 1, or 2 where the difference itself would overflow.
+/// `a - b` over the unit of a scale: 1, or 2 where the difference itself would overflow.
 #[inline(always)]
-fn difference<R: Real>(a: R::Vector, b: R::Vector) -> (R::Vector, R) {
+fn difference<R: Real>(a: R::Vector, b: R::Vector) -> (R::Vector, Scale<R>) {
     let plain = a - b;
     let largest = R::splat(plain.x().token(), R::Scalar::MAX);
     let [x, y, z] = plain.abs().to_array();
@@ -135,6 +135,9 @@ fn difference<R: Real>(a: R::Vector, b: R::Vector) -> (R::Vector, R) {
     let (half, one, two) = (x.constant(0.5), x.constant(1.0), x.constant(2.0));
     (
         R::Vector::select(overflows, a * half - b * half, plain),
-        R::select(overflows, two, one),
+        Scale {
+            unit: R::select(overflows, two, one),
+            reciprocal: R::select(overflows, half, one),
+        },
     )
 }
