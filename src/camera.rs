@@ -66,8 +66,8 @@ impl<S: Scalar> PerspectiveCamera<S> {
     }
 }
 
-/// Three directions at right angles: from the camera to the middle of the viewport at distance 1, and
-/// from there to the middle of its right and its upper edge.
+/// Three directions at right angles: from the camera to the middle of the viewport at distance 1,
+/// and from there to the middle of its right and its upper edge.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Axes<S: Scalar> {
     pub forward: S::Vector,

@@ -4,23 +4,36 @@ use crate::camera::PerspectiveCamera;
 use crate::integrator::Integrator;
 use crate::quality::Quality;
 use crate::real::{Real, Scalar};
+use crate::relative::Relative;
 use crate::scene::Scene;
 
-/// A scene, a camera and an integrator, ready for rays. There are two: the lab's, [`LabChain`], and the
-/// kit's own, [`Relative`](crate::Relative).
+/// A scene, a camera and an integrator, ready for rays. There are two: the lab's, [`LabChain`], and
+/// the kit's own, [`Relative`].
 pub trait Chain<S: Scalar>: Sync {
-    /// Where a column or row of pixels is, the `index`-th of `count`, as [`radiance`](Self::radiance)
-    /// takes it.
+    /// Where a column or row of pixels is, the `index`-th of `count`, as
+    /// [`radiance`](Self::radiance) takes it.
     fn coordinate(index: u32, count: u32) -> S;
 
-    /// The radiance, a linear colour, at a point of the picture given by the coordinates of its column
-    /// and its row.
+    /// The radiance, a linear colour, at a point of the picture given by the coordinates of its
+    /// column and its row.
     fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector;
+
+    /// Which of the two it is.
+    fn kind(&self) -> ChainKind<'_, S>;
 
     /// Whether several pixels at a time are faster than one by one.
     fn gains_from_packets(&self) -> bool {
         true
     }
+}
+
+/// One of the two chains. Pictures are drawn by a loop that is compiled once for each.
+#[derive(Clone, Copy, Debug)]
+pub enum ChainKind<'a, S: Scalar> {
+    /// The lab's.
+    Lab(&'a LabChain<'a, S>),
+    /// The kit's own.
+    Relative(&'a Relative<S>),
 }
 
 /// The lab's chain: a ray, its nearest hit, the hit point, shadow rays from there.
@@ -35,8 +48,8 @@ pub struct LabChain<'a, S: Scalar> {
 }
 
 impl<S: Scalar> Chain<S> for LabChain<'_, S> {
-    /// `index / (count - 1)`: from 0 for the first column or row to 1 for the last; the middle where
-    /// there is only one.
+    /// `index / (count - 1)`: from 0 for the first column or row to 1 for the last; the middle
+    /// where there is only one.
     #[inline(always)]
     fn coordinate(index: u32, count: u32) -> S {
         if count == 1 {
@@ -52,7 +65,12 @@ impl<S: Scalar> Chain<S> for LabChain<'_, S> {
             .radiance(self.scene, &self.camera.ray(across, down))
     }
 
-    /// The kernels one precision up are computed one by one: as packets they do not fit the registers.
+    fn kind(&self) -> ChainKind<'_, S> {
+        ChainKind::Lab(self)
+    }
+
+    /// The kernels one precision up are computed one by one: as packets they do not fit the
+    /// registers.
     fn gains_from_packets(&self) -> bool {
         self.integrator.quality() != Quality::Wide
     }

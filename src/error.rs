@@ -4,7 +4,8 @@ use crate::real::Scalar;
 use crate::vector::Vector;
 use std::fmt;
 
-/// A value that no scene, camera or picture can be made with: which one it is, and what it must be instead.
+/// A value that no scene, camera or picture can be made with: which one it is, and what it must be
+/// instead.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Invalid {
     /// The field, as users know it: `sphere radius`, `plane normal`, `camera fov`.

@@ -9,7 +9,7 @@ use crate::lab;
 use crate::picture::{Picture, Size};
 use crate::quality::Quality;
 use crate::real::Scalar;
-use crate::render::{Dispatch, render};
+use crate::render::Engine;
 use crate::shadow::Shadow;
 use crate::survey::{Pixel, Survey, visit};
 
@@ -119,7 +119,15 @@ impl Figure {
     ///
     /// # Errors
     /// None for the formats there are; the lab's scene is valid in each of them.
-    pub fn draw<S: Dispatch>(&self, size: Size) -> Result<Picture, Invalid> {
+    pub fn draw<S: Scalar>(&self, size: Size) -> Result<Picture, Invalid> {
+        self.draw_with::<S>(size, Engine::default())
+    }
+
+    /// The same, with an engine of choice.
+    ///
+    /// # Errors
+    /// None for the formats there are; the lab's scene is valid in each of them.
+    pub fn draw_with<S: Scalar>(&self, size: Size, engine: Engine) -> Result<Picture, Invalid> {
         let camera = PerspectiveCamera::new(&lab::view::<S>(), S::from_f64(size.aspect()))?;
         let scene = lab::scene::<S>()?;
         let chain = LabChain {
@@ -127,7 +135,7 @@ impl Figure {
             camera: &camera,
             integrator: self.integrator,
         };
-        let picture = render(&chain, size, self.film);
+        let picture = engine.render(&chain, size, self.film);
         Ok(match self.detail {
             None => picture,
             Some(detail) => detail.of(&picture),
@@ -151,7 +159,8 @@ impl Figure {
         ))
     }
 
-    /// The same, without keeping it: hands every pixel to `pixel` with its column and row, row-major.
+    /// The same, without keeping it: hands every pixel to `pixel` with its column and row,
+    /// row-major.
     ///
     /// # Errors
     /// None for the formats there are; the lab's scene is valid in each of them.

@@ -14,8 +14,8 @@ pub trait Float: Scalar + Debug + Display + LowerExp {
     fn from_bits(bits: u64) -> Self;
     /// The bits in big-endian hexadecimal: 8 digits for `f32`, 16 for `f64`.
     fn hex(self) -> String;
-    /// How many numbers of this format lie between the two, counting one end: 0 for equal numbers (also
-    /// `0.0` and `-0.0`), `u64::MAX` where either is NaN.
+    /// How many numbers of this format lie between the two, counting one end: 0 for equal numbers
+    /// (also `0.0` and `-0.0`), `u64::MAX` where either is NaN.
     fn ulp_distance(self, other: Self) -> u64;
 }
 

@@ -67,14 +67,15 @@ impl Integrator {
 }
 
 impl DirectLighting {
-    /// The light that a hit point sends back, from all lights it can see (the lab's `_directLighting`).
+    /// The light that a hit point sends back, from all lights it can see (the lab's
+    /// `_directLighting`).
     #[inline(always)]
     fn radiance<R: Real>(self, scene: &Scene<R::Scalar>, hit: &HitRecord<R>) -> R::Vector {
         let zero = hit.distance.constant(0.0);
         let mut sum = R::Vector::new(zero, zero, zero);
         for light in scene.lights() {
             let sample = light.sample::<R>(hit.point, self.quality);
-            let cosine = cosine::<R>(hit.normal, sample.direction);
+            let cosine = hit.normal.dot(sample.direction);
             let facing = hit.mask & cosine.gt(zero);
             if !facing.any() {
                 continue;

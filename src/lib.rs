@@ -1,5 +1,5 @@
-//! Ombrage is a conformance kit for cast shadows: a university lab on shadows done right once, generic
-//! over `f32` and `f64`, measured against exact truth.
+//! Ombrage is a conformance kit for cast shadows: a university lab on shadows done right once,
+//! generic over `f32` and `f64`, measured against exact truth.
 //!
 //! # The map: from the lab's clauses to the items
 //!
@@ -72,7 +72,7 @@ mod survey;
 mod vector;
 
 pub use camera::{PerspectiveCamera, View};
-pub use chain::{Chain, LabChain};
+pub use chain::{Chain, ChainKind, LabChain};
 pub use error::Invalid;
 pub use figure::{Detail, FIGURES, Figure};
 pub use film::Film;
@@ -84,11 +84,15 @@ pub use light::{LightSample, PointLight};
 pub use picture::{Picture, Size};
 pub use quality::Quality;
 pub use ray::{Ray, Span};
-pub use real::{DoubleDouble, Lane, Lanes, Mask, Packet, PacketMask, Pair, Real, Scalar};
+pub use real::{DoubleDouble, Job, Lane, Lanes, Mask, Packet, PacketMask, Pair, Real, Scalar};
 pub use relative::{Lighting, Relative};
-pub use render::{Develop, Dispatch, Engine, Frame, Linear, render, render_radiance};
+pub use render::{Develop, Draw, Engine, Frame, Linear, render, render_radiance};
 pub use scene::{HitRecord, Object, Scene};
 pub use shadow::{Shadow, ShadowRay};
 pub use shape::{Hit, Plane, Projection, Shape, Sphere};
 pub use survey::{Counts, Pixel, Survey};
 pub use vector::{Triple, Vector};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -33,7 +33,8 @@ impl<S: Scalar> PointLight<S> {
     /// A light of a linear colour, whose power scales its radiance.
     ///
     /// # Errors
-    /// If the position is not finite, a component of the colour is not finite or below 0, or the power is not finite or below 0.
+    /// If the position is not finite, a component of the colour is not finite or below 0, or the
+    /// power is not finite or below 0.
     pub fn new(position: S::Vector, color: S::Vector, power: S) -> Result<Self, Invalid> {
         let position = Invalid::unless_finite::<S>("light position", position)?;
         let color = Invalid::unless_color::<S>("light color", color)?;

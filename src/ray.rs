@@ -3,7 +3,8 @@
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
 
-/// A half-line of points `origin + t direction`. The direction may have any length but zero; `t` counts in units of it.
+/// A half-line of points `origin + t direction`. The direction may have any length but zero; `t`
+/// counts in units of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray<R: Real> {
     /// Where the ray starts.
@@ -19,13 +20,15 @@ impl<R: Real> Ray<R> {
         self.origin + self.direction * t
     }
 
-    /// The same ray with its origin moved a little along the unit vector `normal`, clear of the surface it starts on (clause 4.3,
-    /// the lab's `Ray::offset`).
+    /// The same ray with its origin moved a little along the unit vector `normal`, clear of the
+    /// surface it starts on (clause 4.3, the lab's `Ray::offset`).
     ///
-    /// Each coordinate moves by 256 units in its last place times the normal's component; below 1/32, where those units become too small, by
-    /// 2^7 epsilon (2^-16 in `f32`) times it. The published constants are for `f32`: Wächter and Binder, "A Fast and Robust Method for
-    /// Avoiding Self-Intersection", Ray Tracing Gems (2019), chapter 6. In `f64` the same 256 units and 2^-45 are used.
-    /// It is too small where the hit point's own error is larger than that, for instance far from a large sphere.
+    /// Each coordinate moves by 256 units in its last place times the normal's component; below
+    /// 1/32, where those units become too small, by 2^7 epsilon (2^-16 in `f32`) times it. The
+    /// published constants are for `f32`: Wächter and Binder, "A Fast and Robust Method for
+    /// Avoiding Self-Intersection", Ray Tracing Gems (2019), chapter 6. In `f64` the same 256 units
+    /// and 2^-45 are used. It is too small where the hit point's own error is larger than that, for
+    /// instance far from a large sphere.
     #[inline(always)]
     pub fn offset(&self, normal: R::Vector) -> Self {
         let (p, n) = (self.origin, normal);

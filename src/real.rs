@@ -1,12 +1,15 @@
 //! The words a kernel may use.
 //!
-//! A kernel (a plane, a sphere, a light, an integrator) is written once, over [`Real`]. What differs between a plain float, a wider float, a
-//! packet of lanes or a value with a proven error bound is who speaks these words, never the kernel.
+//! A kernel (a plane, a sphere, a light, an integrator) is written once, over [`Real`]. What
+//! differs between a plain float, a wider float, a packet of lanes or a value with a proven error
+//! bound is who speaks these words, never the kernel.
 //!
-//! The vocabulary is small on purpose. Its operations are correctly rounded by IEEE 754 or exact, so a kernel has the same bits on every
-//! machine: no fused multiply-add, no reciprocal estimates, and no `min`, `max` or `clamp`, whose answers for NaN and signed zeros differ.
-//! Kernels are branch-free where that costs nothing: a value from one formula, then a mask that says whether it counts. A division by zero
-//! or the root of a negative number ends in a false mask by itself, since every comparison with NaN is false.
+//! The vocabulary is small on purpose. Its operations are correctly rounded by IEEE 754 or exact,
+//! so a kernel has the same bits on every machine: no fused multiply-add, no reciprocal estimates,
+//! and no `min`, `max` or `clamp`, whose answers for NaN and signed zeros differ. Kernels are
+//! branch-free where that costs nothing: a value from one formula, then a mask that says whether it
+//! counts. A division by zero or the root of a negative number ends in a false mask by itself,
+//! since every comparison with NaN is false.
 
 mod double_double;
 pub(crate) mod expansion;
@@ -15,10 +18,12 @@ mod packet;
 mod pair;
 
 pub use double_double::DoubleDouble;
-pub use lanes::Lanes;
+pub use lanes::{Job, Lanes};
+pub(crate) use packet::in_packets;
 pub use packet::{Lane, Packet, PacketMask};
 pub use pair::Pair;
 
+use crate::render::Draw;
 use crate::vector::Vector;
 use std::fmt::Debug;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -27,7 +32,8 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// Whether any lane is true. For a scalar this is the value itself, so an early exit stays a branch.
+    /// Whether any lane is true. For a scalar this is the value itself, so an early exit stays a
+    /// branch.
     fn any(self) -> bool;
 }
 
@@ -67,14 +73,14 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// The integer part, rounded toward zero.
     fn trunc(self) -> Self;
-    /// The number `trunc(count)` places further up (or down, where `count` is negative) in the order of
-    /// all numbers of this format.
+    /// The number `trunc(count)` places further up (or down, where `count` is negative) in the
+    /// order of all numbers of this format.
     ///
-    /// In `f32` and `f64` a count that is NaN, or beyond 2^22 and 2^51, moves nothing. Crossing zero
-    /// is not defined; [`Ray::offset`](crate::Ray::offset) stays away from it.
+    /// In `f32` and `f64` a count that is NaN, or beyond 2^22 and 2^51, moves nothing. Crossing
+    /// zero is not defined; [`Ray::offset`](crate::Ray::offset) stays away from it.
     fn step(self, count: Self) -> Self;
-    /// The largest power of two that is not above the magnitude: the value of the leading bit. 0 for
-    /// zero and for numbers below the smallest normal one; infinity for infinities and NaN.
+    /// The largest power of two that is not above the magnitude: the value of the leading bit. 0
+    /// for zero and for numbers below the smallest normal one; infinity for infinities and NaN.
     fn binade(self) -> Self;
     /// `self < other`; false where either is NaN.
     fn lt(self, other: Self) -> Self::Mask;
@@ -117,6 +123,7 @@ pub trait Real:
 /// A number with one lane: `f32`, `f64` or [`DoubleDouble`].
 pub trait Scalar:
     Real<Scalar = Self, Mask = bool, Token = (), Vector: PartialEq + Send + Sync>
+    + Draw
     + PartialEq
     + PartialOrd
     + Default
@@ -124,7 +131,8 @@ pub trait Scalar:
     + Sync
     + 'static
 {
-    /// The format one precision up: `f64` for `f32`, double-double for `f64`, itself for double-double.
+    /// The format one precision up: `f64` for `f32`, double-double for `f64`, itself for
+    /// double-double.
     type Wide: Scalar;
 
     /// The format's name, as options and tables give it.
@@ -144,7 +152,8 @@ pub trait Scalar:
     fn widen(self) -> Self::Wide;
     /// A number of the next precision, rounded to this one.
     fn narrow(wide: Self::Wide) -> Self;
-    /// Rounds to this format; at most 1 unit in the last place off for `f32`, which is rounded twice.
+    /// Rounds to this format; at most 1 unit in the last place off for `f32`, which is rounded
+    /// twice.
     fn from_double_double(value: DoubleDouble) -> Self {
         Self::from_f64(value.to_f64())
     }
@@ -154,7 +163,8 @@ pub trait Scalar:
     }
     /// The number times a power of two: exact, unless the product overflows or is below the smallest normal number.
     fn scaled(self, power_of_two: f64) -> Self;
-    /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on every machine.
+    /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on
+    /// every machine.
     fn tan_half(degrees: Self) -> Self;
 
     /// Neither infinite nor NaN.

@@ -6,18 +6,19 @@
 //!
 //! - A sphere is hit where the discriminant `r² D² - |c x D|²` is not negative (Lagrange's identity;
 //!   no difference of squares of distances).
-//! - Whether a surface shadows itself is a sign, not a distance, so no epsilon is needed. The way from
-//!   the camera to the point it sees crosses no surface; so camera and point are on the same side of
-//!   every surface, and a surface that separates the light from the camera keeps it from every
-//!   point the camera sees. Such lights are left out once a frame. Of what remains, planes and spheres
-//!   around the camera block nothing, and only spheres beside the way to the light need a look.
+//! - Whether a surface shadows itself is a sign, not a distance, so no epsilon is needed. The way
+//!   from the camera to the point it sees crosses no surface; so camera and point are on the same
+//!   side of every surface, and a surface that separates the light from the camera keeps it from
+//!   every point the camera sees. Such lights are left out once a frame. Of what remains, planes and
+//!   spheres around the camera block nothing, and only spheres beside the way to the light need a
+//!   look.
 //! - The surface a shadow ray leaves is skipped by its number; equal surfaces share one.
 
 mod light;
 mod setup;
 mod sphere;
 
-use crate::chain::Chain;
+use crate::chain::{Chain, ChainKind};
 use crate::real::{Mask, Real, Scalar};
 use crate::vector::Vector;
 use light::Light;
@@ -140,6 +141,10 @@ impl<S: Scalar> Relative<S> {
 }
 
 impl<S: Scalar> Chain<S> for Relative<S> {
+    fn kind(&self) -> ChainKind<'_, S> {
+        ChainKind::Relative(self)
+    }
+
     /// From -1 at the first column or row to 1 at the last.
     fn coordinate(index: u32, count: u32) -> S {
         if count == 1 {

@@ -2,24 +2,26 @@
 
 mod frame;
 
-pub use frame::{Develop, Dispatch, Frame, Linear};
+pub use frame::{Develop, Draw, Frame, Linear};
 
 use crate::chain::Chain;
 use crate::film::Film;
 use crate::level::{Level, NoSuchLevel};
 use crate::picture::{Picture, Size};
+use crate::real::Scalar;
 use crate::vector::Vector;
 use std::num::NonZero;
+use std::ops::Range;
 use std::sync::{LazyLock, Mutex, PoisonError};
 use std::thread;
 
 /// Renders to bytes: width x height x 3, row-major, as fast as the machine can.
-pub fn render<S: Dispatch>(chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
+pub fn render<S: Scalar>(chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
     Engine::default().render(chain, size, film)
 }
 
 /// Renders to linear radiance, pixel by pixel, row-major, upper left first.
-pub fn render_radiance<S: Dispatch>(chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
+pub fn render_radiance<S: Scalar>(chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
     Engine::default().render_radiance(chain, size)
 }
 
@@ -69,30 +71,47 @@ impl Engine {
         self.level
     }
 
+    /// How many threads it takes for a picture of this size.
+    pub fn threads(self, size: Size) -> usize {
+        let worth = || THREADS.min(size.pixels().div_ceil(PIXELS_PER_THREAD));
+        self.threads.map_or_else(worth, NonZero::get)
+    }
+
     /// Renders to bytes, like [`render`].
-    pub fn render<S: Dispatch>(self, chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
-        let frame = Frame::new(chain, size);
-        let mut pixels = vec![[0; 3]; size.pixels()];
-        self.share(size, &mut pixels, |first, pixels| {
-            S::dispatch(&frame, self.level, &film, first, pixels);
-        });
+    pub fn render<S: Scalar>(self, chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
+        let pixels = self.render_rows(chain, size, film, 0..size.height());
         Picture::from_rendering(size, pixels.into_flattened())
     }
 
+    /// Renders some rows of the picture that [`render`] renders, pixel by pixel.
+    pub fn render_rows<S: Scalar>(
+        self,
+        chain: &impl Chain<S>,
+        size: Size,
+        film: Film,
+        rows: Range<u32>,
+    ) -> Vec<[u8; 3]> {
+        let frame = Frame::new(chain, size);
+        let mut pixels = vec![[0; 3]; rows.len() * size.width() as usize];
+        self.share(size, &mut pixels, |first, pixels| {
+            S::draw(&frame, self.level, film, rows.start + first, pixels);
+        });
+        pixels
+    }
+
     /// Renders to linear radiance, like [`render_radiance`].
-    pub fn render_radiance<S: Dispatch>(self, chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
+    pub fn render_radiance<S: Scalar>(self, chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
         let frame = Frame::new(chain, size);
         let mut pixels = vec![S::Vector::constant((), [0.0; 3]); size.pixels()];
         self.share(size, &mut pixels, |first, pixels| {
-            S::dispatch(&frame, self.level, &Linear, first, pixels);
+            S::expose(&frame, self.level, first, pixels);
         });
         pixels
     }
 
     /// Draws a picture's rows, `draw(first row, pixels)`, a few at a time on each thread.
     fn share<P: Send>(self, size: Size, pixels: &mut [P], draw: impl Fn(u32, &mut [P]) + Sync) {
-        let worth = || THREADS.min(size.pixels().div_ceil(PIXELS_PER_THREAD));
-        let threads = self.threads.map_or_else(worth, NonZero::get);
+        let threads = self.threads(size);
         if threads == 1 {
             return draw(0, pixels);
         }

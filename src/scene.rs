@@ -25,8 +25,8 @@ impl<S: Scalar, G> Object<S, G> {
 
 /// Spheres, planes and point lights before a background.
 ///
-/// Objects are numbered from 0 in the order spheres, then planes. Their number is unlimited, but only
-/// the first 2^24 can be told apart in `f32`.
+/// Objects are numbered from 0 in the order spheres, then planes. Their number is unlimited, but
+/// only the first 2^24 can be told apart in `f32`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene<S: Scalar> {
     spheres: Vec<Object<S, Sphere<S>>>,
@@ -54,8 +54,8 @@ pub struct HitRecord<R: Real> {
 }
 
 impl<S: Scalar> Scene<S> {
-    /// An empty scene: every ray sees the `background`, a linear colour. Primary rays see objects up
-    /// to the parameter `t_max`, which may be infinite.
+    /// An empty scene: every ray sees the `background`, a linear colour. Primary rays see objects
+    /// up to the parameter `t_max`, which may be infinite.
     ///
     /// # Errors
     /// If a component of the background is not finite or below 0, or `t_max` is NaN or not above 0.
@@ -123,8 +123,8 @@ impl<S: Scalar> Scene<S> {
         self.t_max
     }
 
-    /// The nearest hit in the interval, of all objects (clause 1.2). Of two at the same distance, the
-    /// one with the lower number.
+    /// The nearest hit in the interval, of all objects (clause 1.2). Of two at the same distance,
+    /// the one with the lower number.
     #[inline(always)]
     pub fn intersect<R: Real<Scalar = S>>(
         &self,

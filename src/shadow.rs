@@ -1,8 +1,8 @@
 //! How a shadow ray leaves its surface: every known strategy of the lab's chain.
 //!
-//! The point a shadow ray starts from is rounded, so it lies a little above or below its surface, and
-//! the ray may hit what it starts on. Every strategy here trades that acne against shadows that are
-//! lost or displaced. The kit's default, [`Relative`](crate::Relative), needs none of them.
+//! The point a shadow ray starts from is rounded, so it lies a little above or below its surface,
+//! and the ray may hit what it starts on. Every strategy here trades that acne against shadows that
+//! are lost or displaced. The kit's default, [`Relative`](crate::Relative), needs none of them.
 
 use crate::ray::{Ray, Span};
 use crate::real::{Real, Scalar};
@@ -13,17 +13,17 @@ use crate::vector::Vector;
 /// What keeps a shadow ray from hitting the surface it starts on. Lengths are in scene units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shadow {
-    /// Nothing: the ray starts at the rounded hit point and hits count from 0 on. Half to nine tenths
-    /// of the lit pixels are falsely black, whatever the precision: acne, Figure 3(a).
+    /// Nothing: the ray starts at the rounded hit point and hits count from 0 on. Half to nine
+    /// tenths of the lit pixels are falsely black, whatever the precision: acne, Figure 3(a).
     SelfHitting,
-    /// Nothing, but a hit at exactly 0 does not count. Cures points that lie exactly on a plane, and
-    /// no others.
+    /// Nothing, but a hit at exactly 0 does not count. Cures points that lie exactly on a plane,
+    /// and no others.
     HalfOpen,
-    /// Hits count from this distance on. Leaks at contacts closer than that, and fails at scales where
-    /// the error of the hit point is larger.
+    /// Hits count from this distance on. Leaks at contacts closer than that, and fails at scales
+    /// where the error of the hit point is larger.
     TMin(f64),
-    /// The origin moves by this length along the normal. Fails as [`Shadow::TMin`] does, and moves the
-    /// shadow's edge.
+    /// The origin moves by this length along the normal. Fails as [`Shadow::TMin`] does, and moves
+    /// the shadow's edge.
     ConstantOffset(f64),
     /// The origin moves 256 units in the last place along the normal: [`Ray::offset`], Figure 3(c).
     /// Fails where the hit point's error is larger, for instance on spheres far larger than their
@@ -33,11 +33,11 @@ pub enum Shadow {
     /// No acne within its assumptions, but at large coordinates the boxes are large. Source: Pharr,
     /// Jakob, Humphreys, "Physically Based Rendering", 4th edition (2023), section 6.8.
     ErrorBound,
-    /// The hit point is projected onto its surface once more; hits at exactly 0 do not count. Halves
-    /// the error at best, since the projection rounds too.
+    /// The hit point is projected onto its surface once more; hits at exactly 0 do not count.
+    /// Halves the error at best, since the projection rounds too.
     Reprojection,
-    /// The surface the ray starts on is not asked. Exact for a convex surface seen from outside, but
-    /// leaks where a sphere shadows its own inside, and shows acne on coincident surfaces.
+    /// The surface the ray starts on is not asked. Exact for a convex surface seen from outside,
+    /// but leaks where a sphere shadows its own inside, and shows acne on coincident surfaces.
     SkipSelf,
 }
 
@@ -85,8 +85,8 @@ impl Shadow {
         }
     }
 
-    /// The ray from a hit toward the light in the unit `direction`, and the part of it on which a hit
-    /// blocks the light: closed, up to the light's distance.
+    /// The ray from a hit toward the light in the unit `direction`, and the part of it on which a
+    /// hit blocks the light: closed, up to the light's distance.
     #[inline(always)]
     pub fn ray<R: Real>(
         self,
@@ -142,7 +142,8 @@ pub struct ShadowRay<R: Real> {
     pub skip: Option<R>,
 }
 
-/// The point moved along the normal until the box of its error is behind, then one place further, so that rounding does not undo it (pbrt's `OffsetRayOrigin`).
+/// The point moved along the normal until the box of its error is behind, then one place further,
+/// so that rounding does not undo it (pbrt's `OffsetRayOrigin`).
 #[inline(always)]
 fn clear_of<R: Real>(on_surface: Projection<R>, normal: R::Vector) -> R::Vector {
     let [nx, ny, nz] = normal.to_array();

@@ -43,8 +43,8 @@ pub trait Shape<S: Scalar> {
         quality: Quality,
     ) -> Hit<R>;
 
-    /// Whether there is any hit in the interval, without saying where (clause 5.1). For one shape this
-    /// costs what [`intersect`](Self::intersect) costs; what it saves, it saves on a scene.
+    /// Whether there is any hit in the interval, without saying where (clause 5.1). For one shape
+    /// this costs what [`intersect`](Self::intersect) costs; what it saves, it saves on a scene.
     fn intersect_any<R: Real<Scalar = S>>(
         &self,
         ray: &Ray<R>,
@@ -54,11 +54,12 @@ pub trait Shape<S: Scalar> {
         self.intersect(ray, span, quality).mask
     }
 
-    /// The point of the shape nearest to a point that should be on it, and how far rounding may have put
-    /// it off.
+    /// The point of the shape nearest to a point that should be on it, and how far rounding may
+    /// have put it off.
     fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R>;
 
-    /// The unit normal at a point of the shape, on the side a plane's normal shows to or outside of a sphere.
+    /// The unit normal at a point of the shape, on the side a plane's normal shows to or outside of
+    /// a sphere.
     fn normal_at<R: Real<Scalar = S>>(&self, point: R::Vector) -> R::Vector;
 }
 
@@ -73,8 +74,8 @@ impl<R: Real> Projection<R> {
     }
 }
 
-/// Bound of the relative error of n roundings in a row: n u / (1 - n u), with u half of epsilon (Higham,
-/// "Accuracy and Stability of Numerical Algorithms", 2nd edition (2002), lemma 3.1).
+/// Bound of the relative error of n roundings in a row: n u / (1 - n u), with u half of epsilon
+/// (Higham, "Accuracy and Stability of Numerical Algorithms", 2nd edition (2002), lemma 3.1).
 fn gamma<S: Scalar>(n: f64) -> f64 {
     let nu = n * S::EPSILON / 2.0;
     nu / (1.0 - nu)

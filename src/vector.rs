@@ -1,4 +1,5 @@
-//! Three numbers: a point, a direction or a colour. For `f32` and `f64` these are glam's own vectors.
+//! Three numbers: a point, a direction or a colour. For `f32` and `f64` these are glam's own
+//! vectors.
 
 use crate::real::{Real, Scalar};
 use std::fmt::Debug;
@@ -6,7 +7,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// Three numbers, with the few operations the kernels need.
 ///
-/// Sums and products are written out here once, so that every type that is a [`Vector`] rounds in the same order: `(x x' + y y') + z z'`.
+/// Sums and products are written out here once, so that every type that is a [`Vector`] rounds in
+/// the same order: `(x x' + y y') + z z'`.
 pub trait Vector<R: Real<Vector = Self>>:
     Copy
     + Debug
@@ -80,8 +82,8 @@ pub trait Vector<R: Real<Vector = Self>>:
         Self::new(self.x().abs(), self.y().abs(), self.z().abs())
     }
 
-    /// Whether the length is 1, give or take rounding: what [`normalized`](Self::normalized) returns
-    /// unless the square of the length overflows or underflows or is not a number.
+    /// Whether the length is 1, give or take rounding: what [`normalized`](Self::normalized)
+    /// returns unless the square of the length overflows or underflows or is not a number.
     #[inline(always)]
     fn is_unit(self) -> R::Mask {
         let square = self.dot(self);

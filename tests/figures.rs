@@ -7,8 +7,8 @@ mod support {
 }
 
 use ombrage::{
-    Counts, DirectLighting, DoubleDouble, FIGURES, Figure, Float, Integrator, Picture, Scalar,
-    Shadow, ShadowQuery, Size, Survey, Vector, lab,
+    Counts, DirectLighting, DoubleDouble, FIGURES, Figure, Float, Integrator, LabChain, Picture,
+    Pixel, Quality, Scalar, Shadow, ShadowQuery, Size, Survey, Vector, lab, render_radiance,
 };
 use std::sync::LazyLock;
 use support::snapshot;
@@ -36,7 +36,8 @@ static TRUTH: LazyLock<Survey> = LazyLock::new(|| survey::<DoubleDouble>("3c"));
 ///
 /// In Figures 3(a) and 3(b) the black pixels are rounding errors. A change in the order of
 /// operations may move them, and then the new picture is accepted after a look at it. How many
-/// there are hardly changes: `acne_covers_...` holds their shares to bands, which they may not leave.
+/// there are hardly changes: `acne_covers_...` holds their shares to bands, which they may not
+/// leave.
 fn is_the_accepted_picture<F: Float>(name: &str) {
     let name = format!("figure-{name}-{}.png", F::NAME);
     let figure = figure(name.split('-').nth(1).expect("the name of a figure"));
@@ -149,13 +150,13 @@ fn sphere_shows_on_15644_pixels_and_plane_on_111720<F: Float>() {
 
 fn plane_is_in_the_shadow_on_7587_pixels_of_3c<F: Float>() {
     let survey = survey::<F>("3c");
-    let shadowed = |pixel: &&_| survey.shows_plane(pixel) && pixel.blocked_by_another;
+    let shadowed = |pixel: &&Pixel| pixel.on_plane() && pixel.blocked_by_another;
     assert_eq!(survey.pixels().iter().filter(shadowed).count(), 7587);
 }
 
 fn bytes_wrap_on_335_pixels_of_2a<F: Float>() {
     let survey = survey::<F>("2a");
-    let wraps = |pixel: &&_| survey.is_wrapped(pixel);
+    let wraps = |pixel: &&Pixel| pixel.is_too_bright();
     assert_eq!(survey.pixels().iter().filter(wraps).count(), 335);
     let (wrapped, clamped) = (draw::<F>("2a"), draw::<F>("2b"));
     let differ = |(a, b): &(&[u8], &[u8])| a != b;
@@ -174,11 +175,16 @@ fn radiance_passes_1_on_344_sphere_pixels<F: Float>() {
     let camera = camera.expect("the lab's view is valid");
     let (mut sphere, mut other) = (0, 0);
     let integrator = figure("2b").integrator;
-    ombrage::render_radiance(&scene, &camera, Size::LAB, integrator, |radiance| {
+    let chain = LabChain {
+        scene: &scene,
+        camera: &camera,
+        integrator,
+    };
+    for radiance in render_radiance(&chain, Size::LAB) {
         let [red, green, blue] = radiance.to_array().map(Scalar::to_f64);
         sphere += usize::from(blue > 1.0);
         other += usize::from(red > 1.0 || green > 1.0);
-    });
+    }
     assert_eq!((sphere, other), (344, 0));
 }
 
@@ -191,7 +197,7 @@ fn background_is_127_through_row_200_and_plane_starts_at_row_201<F: Float>() {
     for name in ["1", "2a", "2b", "3c"] {
         let (picture, survey) = (draw::<F>(name), survey::<F>(name));
         let rows: Vec<_> = survey.pixels().chunks(600).collect();
-        let beside_the_sphere = (0..600).filter(|&x| !survey.shows_sphere(&rows[200][x]));
+        let beside_the_sphere = (0..600).filter(|&x| !rows[200][x].on_sphere);
         for (count, x) in beside_the_sphere.enumerate() {
             assert_eq!(
                 picture.pixel(x as u32, 200),
@@ -203,14 +209,14 @@ fn background_is_127_through_row_200_and_plane_starts_at_row_201<F: Float>() {
                 "figure {name} starts row 200 with the sphere"
             );
         }
-        for x in (0..600).filter(|&x| !survey.shows_sphere(&rows[201][x])) {
-            let shows_plane = survey.shows_plane(&rows[201][x]);
+        for x in (0..600).filter(|&x| !rows[201][x].on_sphere) {
+            let shows_plane = rows[201][x].on_plane();
             assert!(shows_plane, "figure {name}, column {x}, row 201");
         }
         assert!(
             rows[..200]
                 .iter()
-                .all(|row| !row.iter().any(|p| survey.shows_plane(p)))
+                .all(|row| !row.iter().any(Pixel::on_plane))
         );
     }
 }
@@ -231,8 +237,8 @@ fn pictures_are_those_of_exact_arithmetic<F: Float>() {
 
 /// Of the `count` pixels that exact arithmetic lights and for which `shown` holds, the share that
 /// is acne in Figure 3(a), in percent.
-fn acne_percent<F: Float>(count: usize, shown: impl Fn(&ombrage::Pixel) -> bool) -> f64 {
-    let lit = |pixel: &ombrage::Pixel| {
+fn acne_percent<F: Float>(count: usize, shown: impl Fn(&Pixel) -> bool) -> f64 {
+    let lit = |pixel: &Pixel| {
         shown(pixel) && pixel.faces_light && !pixel.blocked_by_another && !pixel.is_acne()
     };
     let survey = survey::<F>("3a");
@@ -247,12 +253,12 @@ fn acne_percent<F: Float>(count: usize, shown: impl Fn(&ombrage::Pixel) -> bool)
 }
 
 fn acne_covers_84_to_86_percent_of_the_lit_plane<F: Float>() {
-    let percent = acne_percent::<F>(104_133, |pixel| TRUTH.shows_plane(pixel));
+    let percent = acne_percent::<F>(104_133, Pixel::on_plane);
     assert!((84.0..=86.0).contains(&percent), "{percent} %");
 }
 
 fn acne_covers_48_to_62_percent_of_the_lit_sphere<F: Float>() {
-    let percent = acne_percent::<F>(8633, |pixel| TRUTH.shows_sphere(pixel));
+    let percent = acne_percent::<F>(8633, |pixel| pixel.on_sphere);
     assert!((48.0..=62.0).contains(&percent), "{percent} %");
 }
 

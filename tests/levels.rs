@@ -209,7 +209,7 @@ impl Shot {
     }
 
     /// Compares what one packet, and the engine's two in flight, compute with the scalar path.
-    fn check<L: Simd, F: Lane + Dispatch>(&self, token: L, level: Level) {
+    fn check<L: Simd, F: Lane>(&self, token: L, level: Level) {
         // A scene may be valid in `f64` and not in `f32`.
         let Ok(scene) = self.scene.cast::<F>() else {
             return;
@@ -231,12 +231,7 @@ impl Shot {
         }
     }
 
-    fn check_chain<L: Simd, F: Lane + Dispatch>(
-        &self,
-        token: L,
-        level: Level,
-        chain: &impl Chain<F>,
-    ) {
+    fn check_chain<L: Simd, F: Lane>(&self, token: L, level: Level, chain: &impl Chain<F>) {
         let Self { size, film, .. } = *self;
         let (scalar, packets) = (engine(Level::Scalar, 1), engine(level, 1));
         let expected = scalar.render_radiance(chain, size);
@@ -265,7 +260,7 @@ impl Shot {
     }
 }
 
-fn check_shot<L: Simd, F: Lane + Dispatch>(token: L, level: Level, shot: &Shot) {
+fn check_shot<L: Simd, F: Lane>(token: L, level: Level, shot: &Shot) {
     shot.check::<L, F>(token, level);
 }
 
@@ -291,7 +286,7 @@ fn every_figure_has_the_scalars_bits_in_every_size() {
 /// Engines of every level agree, and so do bytes and radiance of the default one.
 #[test]
 fn every_engine_draws_the_same_figure() {
-    fn check<F: Float + Dispatch>() {
+    fn check<F: Float>() {
         let scene = lab::scene::<F>().unwrap();
         let camera = PerspectiveCamera::new(&lab::view(), F::from_f64(1.5)).unwrap();
         let figure = Figure::named("3a").unwrap();

@@ -1,16 +1,20 @@
-//! Twice the precision of `f64`, from `f64` alone: the truth for pictures, and the format one up from `f64`.
+//! Twice the precision of `f64`, from `f64` alone: the truth for pictures, and the format one up
+//! from `f64`.
 
 use super::{Real, Scalar};
 use crate::vector::Triple;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The unevaluated sum of two `f64` of which the second is at most half a unit in the last place of the first: about 106 bits.
+/// The unevaluated sum of two `f64` of which the second is at most half a unit in the last place of
+/// the first: about 106 bits.
 ///
-/// Sums are accurate to 2^-104 relative to the result, products and quotients to 2^-102, square roots to 2^-101, as long as nothing overflows
-/// and no error term falls below the smallest normal number (magnitudes between 1e-140 and 1e140 are safe throughout a kernel).
-/// Source: Joldeş, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017),
-/// algorithms 6, 11 and 17; exact products by Dekker's splitting, so no fused multiply-add is needed.
+/// Sums are accurate to 2^-104 relative to the result, products and quotients to 2^-102, square
+/// roots to 2^-101, as long as nothing overflows and no error term falls below the smallest normal
+/// number (magnitudes between 1e-140 and 1e140 are safe throughout a kernel). Source: Joldeş,
+/// Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
+/// arithmetic", ACM TOMS 44 (2017), algorithms 6, 11 and 17; exact products by Dekker's splitting,
+/// so no fused multiply-add is needed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DoubleDouble {
     high: f64,

@@ -20,6 +20,18 @@ pub trait Lanes: Real {
     fn store_rgb(rgb: [Self; 3], bytes: &mut [u8]);
 }
 
+/// Work that can be done in any number of lanes.
+pub trait Job<S: Scalar> {
+    /// Whether several lanes at a time are faster than one by one.
+    fn gains_from_packets(&self) -> bool {
+        true
+    }
+
+    /// Does it in lanes of type `R`. Must be `#[inline(always)]` down to the operations: only what
+    /// is inlined into the dispatching function uses the instructions of its level.
+    fn run<R: Lanes<Scalar = S>>(self, token: R::Token);
+}
+
 impl<S: Scalar> Lanes for S {
     const LANES: usize = 1;
 

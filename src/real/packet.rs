@@ -1,11 +1,12 @@
 //! SIMD lanes that speak the kernels' words: the native vector of a processor level.
 
-use super::{Lanes, Mask, Real};
+use super::{Job, Lanes, Mask, Pair, Real};
 use crate::float::Float;
+use crate::level::Level;
 use crate::vector::Triple;
 use fearless_simd::{
     Bytes, ExtractToken, Select, Simd, SimdBase, SimdCvtTruncate, SimdFloat, SimdFloatElement,
-    SimdMask, SimdNarrow,
+    SimdMask, SimdNarrow, dispatch,
 };
 use std::fmt;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
@@ -179,4 +180,17 @@ impl<L: Simd, E: Lane> Lanes for Packet<L, E> {
             bytes[12 * k..12 * k + 16].copy_from_slice(block);
         }
     }
+}
+
+/// Does a job with two packets in flight, at the level's width; one by one where it has none.
+pub(crate) fn in_packets<E: Lane>(level: Level, job: impl Job<E>) {
+    match level.simd().filter(|_| job.gains_from_packets()) {
+        None => job.run::<E>(()),
+        Some(level) => dispatch!(level, simd => in_pairs(simd, job)),
+    }
+}
+
+#[inline(always)]
+fn in_pairs<L: Simd, E: Lane>(simd: L, job: impl Job<E>) {
+    job.run::<Pair<Packet<L, E>>>(simd);
 }

@@ -12,11 +12,23 @@ pub(super) struct Light<S: Scalar> {
     pub intensity: S::Vector,
     /// Its height above each plane on whose positive side it is, by the plane's number.
     pub heights: Vec<(S, S)>,
+    /// The spheres to which it is much nearer than to the camera.
+    pub near: Vec<Near<S>>,
     /// The spheres that may stand before it; none where shadows are off.
     pub occluders: Vec<Occluder<S>>,
     /// Half-spaces of directions in which a surface through the camera itself blocks the light:
     /// those with a positive product.
     pub edges: Vec<S::Vector>,
+}
+
+/// A sphere much nearer to a light than the camera is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Near<S: Scalar> {
+    pub number: S,
+    /// From the center to the light.
+    pub to_light: S::Vector,
+    /// Negative where the normal that faces the camera points inward.
+    pub radius: S,
 }
 
 /// A sphere with the camera and a light outside.
@@ -33,9 +45,11 @@ pub(super) struct Occluder<S: Scalar> {
 impl<S: Scalar> Light<S> {
     /// Adds to `sum` what the hit point sends back of this light.
     ///
-    /// With N the normal and L the way to the light, `color * intensity / L² * dot(N, L) / |L|`. The
-    /// height `dot(N, L)` is that of the light above the tangent plane of the hit, which is known
-    /// without the hit point: `dot(N, light) + t slope`, and for planes a constant.
+    /// With N the normal and L the way to the light, `color * intensity / L² * dot(N, L) / |L|`.
+    /// The height `dot(N, L)` is that of the light above the tangent plane of the hit, which is
+    /// known without the hit point: `dot(N, light) + t slope`, and for planes a constant. Far from
+    /// the camera that sum cancels; for a sphere near the light it is `dot(N, center to light) -
+    /// radius`.
     #[inline(always)]
     pub fn add<R: Real<Scalar = S>>(
         &self,
@@ -49,6 +63,11 @@ impl<S: Scalar> Light<S> {
         let mut height = hit.normal.dot(position) + hit.t * hit.slope;
         for &(number, constant) in &self.heights {
             height = R::select(hit.is_number(number), R::splat(token, constant), height);
+        }
+        for near in &self.near {
+            let above = hit.normal.dot(R::Vector::splat(token, near.to_light));
+            let above = above - R::splat(token, near.radius);
+            height = R::select(hit.is_number(near.number), above, height);
         }
         let facing = hit.mask & height.gt(zero);
         if !facing.any() {
@@ -64,7 +83,8 @@ impl<S: Scalar> Light<S> {
         R::Vector::select(visible, lit, sum)
     }
 
-    /// Whether something stands between the point and the light, at distance `√square` of each other.
+    /// Whether something stands between the point and the light, at distance `√square` of each
+    /// other.
     #[inline(always)]
     fn blocked<R: Real<Scalar = S>>(
         &self,
@@ -87,11 +107,12 @@ impl<S: Scalar> Light<S> {
 }
 
 impl<S: Scalar> Occluder<S> {
-    /// Whether the sphere reaches into the way from `point` to the light, of squared length `square`.
+    /// Whether the sphere reaches into the way from `point` to the light, of squared length
+    /// `square`.
     ///
-    /// With p and l from the center to either end, the line passes at distance `|p x l| / |l - p|`, and
-    /// the nearest point lies between the ends where `dot(p, l)` is below both p² and l². A way that
-    /// only touches the sphere is free.
+    /// With p and l from the center to either end, the line passes at distance `|p x l| / |l - p|`,
+    /// and the nearest point lies between the ends where `dot(p, l)` is below both p² and l². A way
+    /// that only touches the sphere is free.
     #[inline(always)]
     fn blocks<R: Real<Scalar = S>>(&self, point: R::Vector, square: R) -> R::Mask {
         let token = square.token();

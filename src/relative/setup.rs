@@ -1,6 +1,6 @@
 //! Once a frame: the scene relative to its camera, in double-double, rounded at the end.
 
-use super::light::{Light, Occluder};
+use super::light::{Light, Near, Occluder};
 use super::sphere::Sphere;
 use super::{Lighting, Plane, Relative};
 use crate::camera::View;
@@ -20,11 +20,12 @@ const MOST_OBJECTS: usize = 1 << 24;
 impl<S: Scalar> Relative<S> {
     /// The scene as a camera with this view sees it in a picture of this size.
     ///
-    /// Scene and view are taken as exact; what is rounded to `S` is the scene relative to the camera.
+    /// Scene and view are taken as exact; what is rounded to `S` is the scene relative to the
+    /// camera.
     ///
     /// # Errors
-    /// If the view is invalid ([`PerspectiveCamera::new`](crate::PerspectiveCamera::new) says when), or
-    /// there are more than 2^24 objects.
+    /// If the view is invalid ([`PerspectiveCamera::new`](crate::PerspectiveCamera::new) says
+    /// when), or there are more than 2^24 objects.
     pub fn new(
         scene: &Scene<f64>,
         view: &View<f64>,
@@ -62,7 +63,7 @@ impl<S: Scalar> Relative<S> {
                 .collect(),
             lights: (lighting != Lighting::Eye).then(|| lights().collect()),
             background: round::<S>(exact_vector(scene.background())),
-            t_max_squared: S::from_double_double(t_max * t_max),
+            t_max_squared: square(t_max),
         })
     }
 }
@@ -155,6 +156,11 @@ impl Surfaces {
                 }
             }
         }
+        let near = self
+            .spheres
+            .iter()
+            .filter_map(|sphere| sphere.near(position));
+        let near = near.collect();
         let mut heights = vec![];
         for plane in &self.planes {
             let height = plane.height_of(position);
@@ -173,6 +179,7 @@ impl Surfaces {
             position,
             intensity,
             heights,
+            near,
             occluders,
             edges,
         })
@@ -184,6 +191,19 @@ impl ExactSphere {
     fn power_of(&self, position: Exact) -> DoubleDouble {
         let from_center = position - self.center;
         from_center.dot(from_center) - self.radius * self.radius
+    }
+
+    /// The sphere, if it is at least 4 times nearer to the light than the camera is.
+    fn near<S: Scalar>(&self, light: Exact) -> Option<Near<S>> {
+        let to_light = light - self.center;
+        let near = to_light.dot(to_light) * 16.0 < light.dot(light);
+        let outside = side(self.power) == 1;
+        let radius = if outside { self.radius } else { -self.radius };
+        near.then(|| Near {
+            number: number(self.number),
+            to_light: round::<S>(to_light),
+            radius: S::from_double_double(radius),
+        })
     }
 
     fn occluder<S: Scalar>(&self, light: Exact) -> Occluder<S> {
@@ -219,11 +239,10 @@ impl ExactPlane {
 
     /// The plane, unless the camera is on it and cannot see it.
     fn round<S: Scalar>(&self, t_max: DoubleDouble) -> Option<Plane<S>> {
-        let reach = t_max / self.height;
         (side(self.height) != 0).then(|| Plane {
             normal: round::<S>(self.normal),
             height: S::from_double_double(self.height),
-            reach: S::from_double_double(reach * reach),
+            reach: square(t_max / self.height),
             number: number(self.number),
             color: round::<S>(exact_vector(self.color)),
         })
@@ -236,6 +255,16 @@ fn side(value: DoubleDouble) -> i8 {
         Some(Ordering::Less) => -1,
         Some(Ordering::Greater) => 1,
         _ => 0,
+    }
+}
+
+/// The square of a length, or of a ratio of lengths; the largest number where it is beyond `f64`.
+fn square<S: Scalar>(length: DoubleDouble) -> S {
+    let square = length * length;
+    if square.is_finite() {
+        S::from_double_double(square)
+    } else {
+        S::MAX
     }
 }
 

@@ -20,8 +20,8 @@ pub(super) struct Sphere<S: Scalar> {
 impl<S: Scalar> Sphere<S> {
     /// Where a ray from the camera meets the sphere; `None` if no lane does.
     ///
-    /// From outside the near root is `power / (b + √disc)`, from inside or on the sphere the far one
-    /// `(b + √disc) / D²`: neither subtracts.
+    /// From outside the near root is `power / (b + √disc)`, from inside or on the sphere the far
+    /// one `(b + √disc) / D²`: neither subtracts.
     #[inline(always)]
     pub fn meet<R: Real<Scalar = S>>(
         &self,

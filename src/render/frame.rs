@@ -1,17 +1,17 @@
 //! Rows of a picture, as many pixels at a time as there are lanes.
 
-use crate::chain::Chain;
+use crate::chain::{Chain, ChainKind};
 use crate::film::Film;
 use crate::level::Level;
 use crate::picture::Size;
-use crate::real::{DoubleDouble, Lane, Lanes, Packet, Pair, Scalar};
+use crate::real::{DoubleDouble, Job, Lanes, Real, Scalar, in_packets};
 use crate::vector::Vector;
-use fearless_simd::{Simd, dispatch};
 
 /// A picture to be: everything its rows have in common.
 #[derive(Clone, Debug)]
-pub struct Frame<'a, S, C> {
-    chain: &'a C,
+pub struct Frame<'a, S: Scalar> {
+    chain: ChainKind<'a, S>,
+    gains_from_packets: bool,
     size: Size,
     /// Where each column is; the last is repeated to fill the widest packet.
     columns: Vec<S>,
@@ -60,26 +60,47 @@ impl<S: Scalar> Develop<S> for Linear {
     }
 }
 
-impl<'a, S: Scalar, C: Chain<S>> Frame<'a, S, C> {
+impl<'a, S: Scalar> Frame<'a, S> {
     /// The picture of a chain.
-    pub fn new(chain: &'a C, size: Size) -> Self {
+    pub fn new<C: Chain<S>>(chain: &'a C, size: Size) -> Self {
         let width = size.width();
         let columns =
             (0..width.next_multiple_of(32)).map(|i| C::coordinate(i.min(width - 1), width));
         Self {
-            chain,
+            chain: chain.kind(),
+            gains_from_packets: chain.gains_from_packets(),
             size,
             columns: columns.collect(),
         }
     }
 
     /// Computes rows, from row `first` on: as many as `pixels` are, `R::LANES` pixels at a time.
+    #[inline(always)]
+    pub fn rows<R: Lanes<Scalar = S>, D: Develop<S>>(
+        &self,
+        token: R::Token,
+        develop: &D,
+        first: u32,
+        pixels: &mut [D::Pixel],
+    ) {
+        match self.chain {
+            ChainKind::Lab(chain) => {
+                self.rows_of::<R, _, D>(chain, token, develop, first, pixels);
+            }
+            ChainKind::Relative(chain) => {
+                self.rows_of::<R, _, D>(chain, token, develop, first, pixels);
+            }
+        }
+    }
+
+    /// The rows of one of the two chains.
     ///
     /// The last packet of a row, and a film's spill, write beyond the row: into the next row, which
     /// is computed after it, or where there is none into a row of their own.
     #[inline(always)]
-    pub fn rows<R: Lanes<Scalar = S>, D: Develop<S>>(
+    fn rows_of<R: Lanes<Scalar = S>, C: Chain<S>, D: Develop<S>>(
         &self,
+        chain: &C,
         token: R::Token,
         develop: &D,
         first: u32,
@@ -96,7 +117,7 @@ impl<'a, S: Scalar, C: Chain<S>> Frame<'a, S, C> {
             let target = if has_room { &mut *rest } else { &mut spare };
             for column in (0..width).step_by(R::LANES) {
                 let across = R::load(token, &self.columns[column..]);
-                let radiance = self.chain.radiance(across, down);
+                let radiance = chain.radiance(across, down);
                 develop.put::<R>(radiance, &mut target[column..]);
             }
             if !has_room {
@@ -104,77 +125,88 @@ impl<'a, S: Scalar, C: Chain<S>> Frame<'a, S, C> {
             }
         }
     }
-
-    /// Computes rows at a level, with two packets in flight.
-    fn in_packets<D: Develop<S>>(
-        &self,
-        level: Level,
-        develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
-    ) where
-        S: Lane,
-    {
-        match level.simd().filter(|_| self.chain.gains_from_packets()) {
-            None => self.rows::<S, D>((), develop, first, pixels),
-            Some(level) => dispatch!(level, simd => self.pairs(simd, develop, first, pixels)),
-        }
-    }
-
-    /// Computes rows with two packets in flight.
-    #[inline(always)]
-    fn pairs<L: Simd, D: Develop<S>>(
-        &self,
-        simd: L,
-        develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
-    ) where
-        S: Lane,
-    {
-        self.rows::<Pair<Packet<L, S>>, D>(simd, develop, first, pixels);
-    }
 }
 
-/// Numbers that pictures can be computed in: `f32` and `f64` in packets, double-double one by one.
-pub trait Dispatch: Scalar {
-    /// Computes rows of a picture, from row `first` on, as many as `pixels` are.
-    fn dispatch<C: Chain<Self>, D: Develop<Self>>(
-        frame: &Frame<Self, C>,
-        level: Level,
-        develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
-    );
+/// Numbers that pictures can be drawn in. Not generic over chain and film, so that the loops over
+/// packets are compiled here, once, and not in every crate that draws.
+pub trait Draw: Sized {
+    /// Computes rows to bytes, from row `first` on, as many as `pixels` are.
+    fn draw(frame: &Frame<'_, Self>, level: Level, film: Film, first: u32, pixels: &mut [[u8; 3]])
+    where
+        Self: Scalar;
+
+    /// The same to linear radiance.
+    fn expose(frame: &Frame<'_, Self>, level: Level, first: u32, pixels: &mut [Self::Vector])
+    where
+        Self: Scalar;
 }
 
-macro_rules! dispatch_in_packets {
-    ($float:ty) => {
-        impl Dispatch for $float {
-            fn dispatch<C: Chain<Self>, D: Develop<Self>>(
-                frame: &Frame<Self, C>,
+macro_rules! draw {
+    ($scalar:ty: $in_lanes:expr) => {
+        impl Draw for $scalar {
+            fn draw(
+                frame: &Frame<'_, Self>,
                 level: Level,
-                develop: &D,
+                film: Film,
                 first: u32,
-                pixels: &mut [D::Pixel],
+                pixels: &mut [[u8; 3]],
             ) {
-                frame.in_packets(level, develop, first, pixels);
+                $in_lanes(
+                    level,
+                    Rows {
+                        frame,
+                        develop: &film,
+                        first,
+                        pixels,
+                    },
+                );
+            }
+
+            fn expose(
+                frame: &Frame<'_, Self>,
+                level: Level,
+                first: u32,
+                pixels: &mut [<Self as Real>::Vector],
+            ) {
+                $in_lanes(
+                    level,
+                    Rows {
+                        frame,
+                        develop: &Linear,
+                        first,
+                        pixels,
+                    },
+                );
             }
         }
     };
 }
 
-dispatch_in_packets!(f32);
-dispatch_in_packets!(f64);
+draw!(f32: in_packets);
+draw!(f64: in_packets);
+draw!(DoubleDouble: one_by_one);
 
-impl Dispatch for DoubleDouble {
-    fn dispatch<C: Chain<Self>, D: Develop<Self>>(
-        frame: &Frame<Self, C>,
-        _: Level,
-        develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
-    ) {
-        frame.rows::<Self, D>((), develop, first, pixels);
+/// Does a job without packets.
+fn one_by_one<S: Scalar>(_: Level, job: impl Job<S>) {
+    job.run::<S>(());
+}
+
+/// Rows of a picture to compute, in lanes yet to be chosen.
+struct Rows<'a, S: Scalar, D: Develop<S>> {
+    frame: &'a Frame<'a, S>,
+    develop: &'a D,
+    first: u32,
+    pixels: &'a mut [D::Pixel],
+}
+
+impl<S: Scalar, D: Develop<S>> Job<S> for Rows<'_, S, D> {
+    fn gains_from_packets(&self) -> bool {
+        self.frame.gains_from_packets
+    }
+
+    #[inline(always)]
+    fn run<R: Lanes<Scalar = S>>(self, token: R::Token) {
+        self.frame
+            .rows::<R, D>(token, self.develop, self.first, self.pixels);
     }
 }

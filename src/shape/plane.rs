@@ -53,8 +53,8 @@ impl<S: Scalar> Plane<S> {
     }
 }
 
-/// The parameter `t = dot(point - origin, normal) / dot(direction, normal)` (clause 1.1): infinite or
-/// NaN on a parallel ray.
+/// The parameter `t = dot(point - origin, normal) / dot(direction, normal)` (clause 1.1): infinite
+/// or NaN on a parallel ray.
 #[inline(always)]
 fn t<R: Real>(ray: &Ray<R>, point: R::Vector, normal: R::Vector) -> R {
     (point - ray.origin).dot(normal) / ray.direction.dot(normal)
@@ -87,8 +87,8 @@ impl<S: Scalar> Shape<S> for Plane<S> {
         }
     }
 
-    /// `p - n dot(n, p - q)`. The difference, the product of three terms, the unit normal itself and
-    /// the last product make 8 roundings of `dot(|n|, |p - q|)` along the normal, and the last
+    /// `p - n dot(n, p - q)`. The difference, the product of three terms, the unit normal itself
+    /// and the last product make 8 roundings of `dot(|n|, |p - q|)` along the normal, and the last
     /// difference one of the result.
     #[inline(always)]
     fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R> {

@@ -61,11 +61,11 @@ fn textbook_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius:
     ((-b - root) / (two * a), (-b + root) / (two * a))
 }
 
-/// The discriminant from what is left of the way to the center after its part along the ray, and the
-/// root of larger magnitude first, the other by Vieta's theorem.
+/// The discriminant from what is left of the way to the center after its part along the ray, and
+/// the root of larger magnitude first, the other by Vieta's theorem.
 ///
-/// Source: Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
-/// Tracing Gems (2019), chapter 7, for a direction of any length.
+/// Source: Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection",
+/// Ray Tracing Gems (2019), chapter 7, for a direction of any length.
 #[inline(always)]
 fn stable_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius: R) -> Roots<R> {
     let a = direction.dot(direction);
@@ -115,8 +115,8 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
         }
     }
 
-    /// `c + (p - c) r / |p - c|`: 5 roundings of the way from the center (pbrt, section 6.8.4), and one
-    /// of the sum.
+    /// `c + (p - c) r / |p - c|`: 5 roundings of the way from the center (pbrt, section 6.8.4), and
+    /// one of the sum.
     #[inline(always)]
     fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R> {
         let token = point.x().token();

@@ -10,7 +10,8 @@ use crate::ray::{Ray, Span};
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
 
-/// The hit at the parameter that `t` finds, lane by lane: NaN for none, else a number in the interval.
+/// The hit at the parameter that `t` finds, lane by lane: NaN for none, else a number in the
+/// interval.
 #[inline(always)]
 pub(super) fn one_precision_up<R: Real>(
     ray: &Ray<R>,

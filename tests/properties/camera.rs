@@ -34,8 +34,9 @@ pub fn directions_have_unit_length<F: Sample>() {
     );
 }
 
-/// The ray through the middle looks at `look_at`. The viewport's corner is a sum of halves of its edges
-/// and the way forward, of which the edges cancel again: up to 16 roundings of the viewport's size.
+/// The ray through the middle looks at `look_at`. The viewport's corner is a sum of halves of its
+/// edges and the way forward, of which the edges cancel again: up to 16 roundings of the viewport's
+/// size.
 pub fn the_middle_ray_looks_at_its_aim<F: Sample>() {
     for_all(cameras::<F>(), |(view, camera)| {
         let half = F::from_f64(0.5);
@@ -56,7 +57,8 @@ pub fn the_middle_ray_looks_at_its_aim<F: Sample>() {
     });
 }
 
-/// The angle between the rays through the middle of the upper and the lower edge is the field of view.
+/// The angle between the rays through the middle of the upper and the lower edge is the field of
+/// view.
 pub fn the_field_of_view_is_vertical<F: Sample>() {
     for_all(1.0..170.0f64, |fov| {
         let view = View {
@@ -68,7 +70,8 @@ pub fn the_field_of_view_is_vertical<F: Sample>() {
         let through = |sx: f64, sy: f64| -> Ray<F> { camera.ray(F::from_f64(sx), F::from_f64(sy)) };
         let slope = |ray: Ray<F>| ray.direction.y().to_f64() / ray.direction.z().to_f64();
         let tangent = (fov.to_radians() / 2.0).tan();
-        // The tangent amplifies the rounding of the angle by angle / (sin cos) < 32 up to 170 degrees.
+        // The tangent amplifies the rounding of the angle by angle / (sin cos) < 32 up to 170
+        // degrees.
         let allowed = tangent * 64.0 * unit_roundoff::<F>();
         let (upper, lower) = (slope(through(0.5, 0.0)), slope(through(0.5, 1.0)));
         prop_assert!(

@@ -1,4 +1,5 @@
-//! The arithmetic of double-doubles, against exact rationals and the accuracy its documentation states.
+//! The arithmetic of double-doubles, against exact rationals and the accuracy its documentation
+//! states.
 
 use crate::exact::{abs, exact, power_of_two};
 use crate::property::for_all;

@@ -5,7 +5,8 @@ use crate::report::show;
 use ombrage::Film;
 use proptest::prelude::*;
 
-/// `floor(255 x)` of a finite x that is not below 0, from the integers its bits are; `None` past 128 bits.
+/// `floor(255 x)` of a finite x that is not below 0, from the integers its bits are; `None` past
+/// 128 bits.
 fn level<F: Sample>(x: F) -> Option<u128> {
     let bits = x.to_f64().to_bits();
     let exponent = (bits >> 52) as i32;
@@ -62,8 +63,8 @@ fn check<F: Sample>(x: F) -> Result<(), String> {
     }
 }
 
-/// k/255 rounded to the format and its neighbours, where `floor(255 x)` of the rounded product is wrong
-/// for 143 values of k in `f64`.
+/// k/255 rounded to the format and its neighbours, where `floor(255 x)` of the rounded product is
+/// wrong for 143 values of k in `f64`.
 pub fn bytes_around_every_level_are_exact<F: Sample>() {
     for k in 0..=1024u16 {
         let x = F::from_f64(f64::from(k) / 255.0);

@@ -4,7 +4,8 @@ use crate::exact::{abs, dot, exact, exact_vector, minus};
 use crate::property::{Sample, for_all, is_unit, positive, unit_roundoff, vector};
 use dashu_ratio::RBig;
 use ombrage::{
-    DirectLighting, Integrator, LightSample, Plane, PointLight, Ray, Scene, ShadowQuery, Vector,
+    DirectLighting, Integrator, LightSample, Plane, PointLight, Quality, Ray, Scene, ShadowQuery,
+    Vector,
 };
 use proptest::prelude::*;
 
@@ -24,9 +25,9 @@ fn within<F: Sample>(actual: F, truth: &RBig, roundings: f64) -> bool {
     abs(exact(actual) - truth) <= allowed * abs(truth.clone())
 }
 
-/// The difference takes 1 rounding, and its square length 2 * 1 + 3; the root halves that and adds 1: 3.5
-/// for the distance. Radiance: 5 of the square, a division and a product make 7. The direction is off by
-/// 1 of the difference, 3.5 + 1 of the reciprocal and 1 of the product: 6.5.
+/// The difference takes 1 rounding, and its square length 2 * 1 + 3; the root halves that and adds
+/// 1: 3.5 for the distance. Radiance: 5 of the square, a division and a product make 7. The
+/// direction is off by 1 of the difference, 3.5 + 1 of the reciprocal and 1 of the product: 6.5.
 pub fn attributes_are_within_their_bounds<F: Sample>() {
     for_all((lights::<F>(), vector::<F>(-6..6)), |(light, point)| {
         prop_assume!(light.position() != point);

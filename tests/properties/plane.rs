@@ -4,7 +4,7 @@ use crate::exact::{abs, dot, exact, exact_vector, minus, power_of_two, products,
 use crate::property::{Sample, Verdict, for_all, is_unit, ray, vector};
 use crate::report::show;
 use dashu_ratio::RBig;
-use ombrage::{Plane, Ray, Shape, Span, Vector};
+use ombrage::{Plane, Quality, Ray, Shape, Span, Vector};
 use proptest::prelude::*;
 
 /// The parameter of the kit, over all of the line.
@@ -16,10 +16,11 @@ fn hit<F: Sample>(plane: &Plane<F>, ray: &Ray<F>) -> Option<F> {
 /// The exact numerator and denominator of t, and a bound of the relative error of the computed t.
 ///
 /// A difference, a product and two sums make 4 roundings of each term of the numerator, 3 of the
-/// denominator's, and the division 1 more: to first order `(4 κ_num + 3 κ_den + 1) u`, where κ is the
-/// sum of the terms' magnitudes over the magnitude of their sum. In full, with `γ_k = k u / (1 - k u)`
-/// (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 3.1), it is
-/// `(e_num + e_den + u + e_num u) / (1 - e_den)`. `None` where the ray is nearly parallel: `e_den > 1/2`.
+/// denominator's, and the division 1 more: to first order `(4 κ_num + 3 κ_den + 1) u`, where κ is
+/// the sum of the terms' magnitudes over the magnitude of their sum. In full, with
+/// `γ_k = k u / (1 - k u)` (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
+/// section 3.1), it is `(e_num + e_den + u + e_num u) / (1 - e_den)`. `None` where the ray is
+/// nearly parallel: `e_den > 1/2`.
 fn t_and_bound<F: Sample>(plane: &Plane<F>, ray: &Ray<F>) -> Option<(RBig, RBig, RBig)> {
     let u = power_of_two(-(F::PRECISION as i32));
     let normal = exact_vector::<F>(plane.normal());
@@ -63,8 +64,8 @@ pub fn t_is_within_its_bound<F: Sample>() {
     });
 }
 
-/// The height of the hit point over the plane: what the error of t makes of it, and two roundings of
-/// every coordinate.
+/// The height of the hit point over the plane: what the error of t makes of it, and two roundings
+/// of every coordinate.
 pub fn hit_point_lies_on_plane<F: Sample>() {
     for_all((planes::<F>(), ray::<F>(-6..6)), |(plane, ray)| {
         let Some((numerator, _, bound)) = t_and_bound(&plane, &ray) else {
@@ -137,8 +138,8 @@ pub fn a_parallel_ray_misses<F: Sample>() {
     );
 }
 
-/// Whatever the normal's length, also where its square over- or underflows, the plane has a unit normal
-/// or is refused. Short of underflow digits are lost, at most 6 of them.
+/// Whatever the normal's length, also where its square over- or underflows, the plane has a unit
+/// normal or is refused. Short of underflow digits are lost, at most 6 of them.
 pub fn the_normal_has_unit_length_or_is_refused<F: Sample>() {
     let exponents = if F::PRECISION == 24 {
         -148..128

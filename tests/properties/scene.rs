@@ -2,7 +2,7 @@
 
 use crate::exact::exact;
 use crate::property::{Sample, for_all, is_unit, number, positive, ray, vector};
-use ombrage::{Invalid, Plane, PointLight, Ray, Scene, Shape, Span, Sphere, Vector};
+use ombrage::{Invalid, Plane, PointLight, Quality, Ray, Scene, Shape, Span, Sphere, Vector};
 use proptest::prelude::*;
 use std::cell::Cell;
 
@@ -68,7 +68,8 @@ pub fn any_hit_is_whether_a_nearest_hit_exists<F: Sample>() {
     );
 }
 
-/// What a plane or sphere does to a stretch of a ray, by another geometry than the kernels', in `f64`.
+/// What a plane or sphere does to a stretch of a ray, by another geometry than the kernels', in
+/// `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Oracle {
     Hit,
@@ -136,7 +137,8 @@ fn sphere_oracle(c: Three, r: f64, o: Three, d: Three, stretch: [f64; 2]) -> Ora
     }
 }
 
-/// The rounding of `f32` carries t by some 1e-5 of the distances here; the margins are 1e-3 and more.
+/// The rounding of `f32` carries t by some 1e-5 of the distances here; the margins are 1e-3 and
+/// more.
 pub fn any_hit_is_that_of_a_naive_oracle<F: Sample>() {
     let (cases, hits, misses) = (Cell::new(0), Cell::new(0), Cell::new(0));
     for_all(

@@ -3,7 +3,7 @@
 use crate::exact::{dot, exact, exact_vector, minus};
 use crate::property::{Sample, for_all, positive, ray, unit_roundoff, vector};
 use crate::report::differs;
-use ombrage::{Plane, Ray, Shape, Span, Sphere, Vector};
+use ombrage::{Plane, Quality, Ray, Shape, Span, Sphere, Vector};
 use proptest::prelude::*;
 
 fn spheres<F: Sample>() -> impl Strategy<Value = Sphere<F>> {
@@ -54,13 +54,14 @@ pub fn hits_are_the_same_in_a_mirror<F: Sample>() {
     );
 }
 
-/// A ray aimed well inside the sphere (at most 0.87 of the radius from its centre) hits it in a point
-/// whose distance from the centre is the radius, give or take `64 u m² / r + 4 u (|p| + |o|)`, where m is
-/// the larger of r and the distance of the origin.
+/// A ray aimed well inside the sphere (at most 0.87 of the radius from its centre) hits it in a
+/// point whose distance from the centre is the radius, give or take
+/// `64 u m² / r + 4 u (|p| + |o|)`, where m is the larger of r and the distance of the origin.
 ///
 /// Counting the roundings of `b² - 4ac`: b is off by 8 u |d| m, c by 7 u m², so the discriminant by
-/// 88 u |d|² m²; its root is at least 0.98 |d| r, so the root is off by 45 u |d| m² / r; half of that, and
-/// 10 u m for -b and the division, is the way along the ray. The point itself takes two roundings more.
+/// 88 u |d|² m²; its root is at least 0.98 |d| r, so the root is off by 45 u |d| m² / r; half of
+/// that, and 10 u m for -b and the division, is the way along the ray. The point itself takes two
+/// roundings more.
 pub fn hit_point_lies_on_sphere<F: Sample>() {
     let aim = [-0.5..0.5, -0.5..0.5, -0.5..0.5];
     for_all(
@@ -132,7 +133,7 @@ pub fn an_interval_sees_the_roots_it_contains<F: Sample>() {
     });
 }
 
-/// A plane tangent to nothing: a sphere far bigger than the scene is a plane to it.
+/// A sphere far bigger than the scene is nearly its tangent plane.
 pub fn a_huge_sphere_is_a_plane<F: Sample>() {
     let inputs = (
         [-1.0..1.0, 1.0..2.0, -1.0..1.0],
@@ -156,7 +157,7 @@ pub fn a_huge_sphere_is_a_plane<F: Sample>() {
             plane.intersect(&ray, &all, Quality::Textbook),
         );
         prop_assert!(round.mask && flat.mask);
-        // and the roundings of the sphere's formula add 64 u m² / r with m < 1027.
+        // The roundings of the sphere's formula add 64 u m² / r with m < 1027.
         let sinks = 9.0 / 2048.0 + unit_roundoff::<F>() * 64.0 * 1030.0;
         let apart = round.t.to_f64() - flat.t.to_f64();
         prop_assert!((-sinks..=2.0 * sinks).contains(&apart), "{apart} apart");

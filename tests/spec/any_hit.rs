@@ -3,11 +3,12 @@
 use super::check::{Verdict, holds, ray, span, vector};
 use super::counted::{Counted, operations};
 use ombrage::{
-    DirectLighting, Figure, Float, Integrator, Invalid, Picture, Plane, PointLight, Ray, Real,
-    Scene, Shadow, ShadowQuery, Shape, Size, Span, Sphere, Triple, Vector,
+    DirectLighting, Figure, Float, Integrator, Invalid, Picture, Plane, PointLight, Quality, Ray,
+    Real, Scene, Shadow, ShadowQuery, Shape, Size, Span, Sphere, Triple, Vector,
 };
 
-/// The question for any hit, and what it costs in a scene of so many spheres, the first of them hit.
+/// The question for any hit, and what it costs in a scene of so many spheres, the first of them
+/// hit.
 pub struct Asking<F: Float> {
     any: fn(&Scene<F>, &Ray<F>, &Span<F>) -> bool,
     cost: fn(usize) -> u64,

@@ -1,7 +1,7 @@
 //! Clauses E.1 and E.2: primary rays.
 
 use super::check::{Verdict, holds, vector};
-use ombrage::{Float, PerspectiveCamera, Ray, Vector, View, position as kit_at};
+use ombrage::{Chain, Float, LabChain, PerspectiveCamera, Ray, Vector, View};
 
 /// Clause E.1: where on the viewport the ray of a column or row goes.
 pub fn check_e_1<F: Float>(position: impl Fn(u32, u32) -> F) -> Verdict {
@@ -24,7 +24,7 @@ pub fn check_e_1<F: Float>(position: impl Fn(u32, u32) -> F) -> Verdict {
 }
 
 pub fn kit_position<F: Float>(index: u32, count: u32) -> F {
-    kit_at(index, count)
+    LabChain::coordinate(index, count)
 }
 
 pub fn pixel_centres<F: Float>(index: u32, count: u32) -> F {

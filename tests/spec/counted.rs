@@ -74,6 +74,14 @@ impl<F: Float> Real for Counted<F> {
         count(self.0.step(places.0))
     }
 
+    fn binade(self) -> Self {
+        count(self.0.binade())
+    }
+
+    fn each<const N: usize>(inputs: [Self; N], f: impl Fn([F; N]) -> F) -> Self {
+        count(f(inputs.map(|input| input.0)))
+    }
+
     fn lt(self, other: Self) -> bool {
         self.0.lt(other.0)
     }

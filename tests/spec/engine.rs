@@ -2,7 +2,7 @@
 
 use super::check::{Verdict, agrees, holds, near, ray, same_t, span, vector};
 use crate::report::differs;
-use ombrage::{Film, Float, Integrator, Ray, Scene, Shape, Span, Sphere, Vector, lab};
+use ombrage::{Film, Float, Integrator, Quality, Ray, Scene, Shape, Span, Sphere, Vector, lab};
 
 type Three = [f64; 3];
 
@@ -170,7 +170,7 @@ fn seen_within<F: Float>(scene: &Scene<F>, ray: &Ray<F>, span: Span<F>) -> F::Ve
 }
 
 pub fn open_at_zero<F: Float>(scene: &Scene<F>, ray: &Ray<F>) -> F::Vector {
-    seen_within(scene, ray, Span::new(F::TINY, scene.t_max()))
+    seen_within(scene, ray, Span::new(F::from_bits(1), scene.t_max()))
 }
 
 pub fn open_at_t_max<F: Float>(scene: &Scene<F>, ray: &Ray<F>) -> F::Vector {

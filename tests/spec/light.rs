@@ -1,7 +1,7 @@
 //! Clauses 2.1 to 2.3: point lights.
 
 use super::check::{Verdict, agrees, holds, near, vector};
-use ombrage::{Float, LightSample, PointLight};
+use ombrage::{Float, LightSample, PointLight, Quality};
 
 /// A light from constants.
 #[derive(Clone, Copy)]

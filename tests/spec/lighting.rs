@@ -2,8 +2,8 @@
 
 use super::check::{Verdict, agrees, holds, near, ray, shows, vector};
 use ombrage::{
-    DirectLighting, Figure, Film, Float, Integrator, Invalid, Picture, Plane, PointLight, Ray,
-    Scene, Shadow, ShadowQuery, Size, Span, Sphere, Vector,
+    DirectLighting, Figure, Film, Float, Integrator, Invalid, Picture, Plane, PointLight, Quality,
+    Ray, Scene, Shadow, ShadowQuery, Size, Span, Sphere, Vector,
 };
 
 const COLOR: [f64; 3] = [1.0, 0.5, 0.25];
@@ -249,8 +249,9 @@ fn shadowed_within<F: Float>(
     within: impl Fn(F) -> Span<F>,
 ) -> F::Vector {
     bent(scene, ray, |hit, light| {
-        let (ray, _) = Shadow::UlpOffset.ray(hit, light.direction, light.distance);
-        let blocked = scene.intersect_any(&ray, &within(light.distance), Quality::Textbook);
+        let shadow = Shadow::UlpOffset.ray(scene, hit, light.direction, light.distance);
+        let span = within(light.distance);
+        let blocked = scene.intersect_any(&shadow.ray, &span, Quality::Textbook);
         let lit = hit.color * light.radiance * positive(hit.normal.dot(light.direction));
         F::Vector::select(blocked, vector::<F>([0.0; 3]), lit)
     })
@@ -272,7 +273,8 @@ pub fn ends_halfway<F: Float>(scene: &Scene<F>, ray: &Ray<F>) -> F::Vector {
 
 /// How radiance becomes bytes, and the figure that shows it.
 pub struct Filming<F> {
-    byte: fn(F) -> u8,
+    /// The byte as a number; what is above 255 would be cut off by a conversion.
+    byte: fn(F) -> F,
     figure: fn() -> Picture,
 }
 
@@ -280,15 +282,15 @@ pub struct Filming<F> {
 pub fn check_3_2<F: Float>(filming: impl Fn() -> Filming<F>) -> Verdict {
     let Filming { byte, figure } = filming();
     for (level, expected) in [
-        (0.0, 0),
-        (127.5, 127),
-        (255.0, 255),
-        (255.5, 255),
-        (256.5, 0),
-        (260.5, 4),
-        (515.5, 3),
+        (0.0, 0.0),
+        (127.5, 127.0),
+        (255.0, 255.0),
+        (255.5, 255.0),
+        (256.5, 0.0),
+        (260.5, 4.0),
+        (515.5, 3.0),
     ] {
-        let actual = byte(F::from_f64(level / 255.0));
+        let (actual, expected) = (byte(F::from_f64(level / 255.0)), F::from_f64(expected));
         holds!(
             "3.2",
             actual == expected,
@@ -313,14 +315,14 @@ pub fn check_3_2<F: Float>(filming: impl Fn() -> Filming<F>) -> Verdict {
 pub fn check_3_3<F: Float>(filming: impl Fn() -> Filming<F>) -> Verdict {
     let Filming { byte, figure } = filming();
     for (x, expected) in [
-        (0.0, 0),
-        (0.5, 127),
-        (1.0, 255),
-        (1.02, 255),
-        (300.0, 255),
-        (-0.5, 0),
+        (0.0, 0.0),
+        (0.5, 127.0),
+        (1.0, 255.0),
+        (1.02, 255.0),
+        (300.0, 255.0),
+        (-0.5, 0.0),
     ] {
-        let actual = byte(F::from_f64(x));
+        let (actual, expected) = (byte(F::from_f64(x)), F::from_f64(expected));
         holds!(
             "3.3",
             actual == expected,
@@ -345,12 +347,12 @@ fn draw<F: Float>(name: &str, film: Option<Film>) -> Picture {
         .expect("the lab's scene is valid")
 }
 
-fn wrap<F: Float>(x: F) -> u8 {
-    Film::Wrap.byte(x).to_f64() as u8
+fn wrap<F: Float>(x: F) -> F {
+    Film::Wrap.byte(x)
 }
 
-fn clamp<F: Float>(x: F) -> u8 {
-    Film::Clamp.byte(x).to_f64() as u8
+fn clamp<F: Float>(x: F) -> F {
+    Film::Clamp.byte(x)
 }
 
 pub fn kit_wrap<F: Float>() -> Filming<F> {
@@ -397,7 +399,7 @@ pub fn wrapping_figure<F: Float>() -> Filming<F> {
 
 pub fn rounding_to_nearest<F: Float>() -> Filming<F> {
     Filming {
-        byte: |x| (x.to_f64() * 255.0).round() as u8,
+        byte: |x| F::from_f64((x.to_f64().clamp(0.0, 1.0) * 255.0).round()),
         ..kit_clamp()
     }
 }

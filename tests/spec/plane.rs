@@ -2,8 +2,8 @@
 
 use super::check::{Verdict, agrees, holds, ray, same_t, shows, span, vector};
 use ombrage::{
-    Figure, Film, Float, HitRecord, Integrator, Mask, PerspectiveCamera, Picture, Plane, Ray,
-    Scene, Shape, Size, Span, Sphere, Vector, lab, render,
+    Figure, Film, Float, HitRecord, Integrator, LabChain, Mask, PerspectiveCamera, Picture, Plane,
+    Quality, Ray, Scene, Shape, Size, Span, Sphere, Vector, lab, render,
 };
 
 type Three = [f64; 3];
@@ -308,13 +308,13 @@ fn figure_1_of<F: Float>(plane: Three, color: Three) -> Picture {
         .and_then(|scene| scene.with_plane(plane, vector::<F>(color)))
         .expect(valid);
     let camera = PerspectiveCamera::new(&lab::view::<F>(), F::from_f64(1.5)).expect(valid);
-    render(
-        &scene,
-        &camera,
-        Size::LAB,
-        Integrator::RayCast(Quality::Textbook),
-        Film::Clamp,
-    )
+    let integrator = Integrator::RayCast(Quality::Textbook);
+    let chain = LabChain {
+        scene: &scene,
+        camera: &camera,
+        integrator,
+    };
+    render(&chain, Size::LAB, Film::Clamp)
 }
 
 /// So low that row 201 no longer reaches it; its height shows nowhere else in Figure 1.

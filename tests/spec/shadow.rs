@@ -2,8 +2,8 @@
 
 use super::check::{Verdict, holds, ray, shows, span, vector};
 use ombrage::{
-    DirectLighting, Figure, Float, HitRecord, Integrator, Picture, Ray, Shadow, ShadowQuery, Size,
-    Span, Vector, lab,
+    DirectLighting, Figure, Float, HitRecord, Integrator, Picture, Quality, Ray, Shadow,
+    ShadowQuery, Size, Span, Vector, lab,
 };
 
 /// Clause 4.2: left alone, the shadow ray starts at the hit point and counts hits from 0 on.
@@ -34,7 +34,7 @@ pub fn check_4_2<F: Float>(
     holds!("4.2", interval.contains(zero), "0 is not in {interval:?}");
     holds!(
         "4.2",
-        !interval.contains(-F::TINY),
+        !interval.contains(-F::from_bits(1)),
         "a number below 0 is in {interval:?}"
     );
     holds!(
@@ -57,12 +57,23 @@ pub fn check_4_2<F: Float>(
     Ok(())
 }
 
+fn start<F: Float>(
+    shadow: Shadow,
+    hit: &HitRecord<F>,
+    direction: F::Vector,
+    distance: F,
+) -> (Ray<F>, Span<F>) {
+    let scene = lab::scene::<F>().expect("the lab's scene is valid");
+    let shadow = shadow.ray(&scene, hit, direction, distance);
+    (shadow.ray, shadow.span)
+}
+
 pub fn kit_self_hitting<F: Float>(
     hit: &HitRecord<F>,
     direction: F::Vector,
     distance: F,
 ) -> (Ray<F>, Span<F>) {
-    Shadow::SelfHitting.ray(hit, direction, distance)
+    start(Shadow::SelfHitting, hit, direction, distance)
 }
 
 pub fn half_open_interval<F: Float>(
@@ -70,11 +81,11 @@ pub fn half_open_interval<F: Float>(
     direction: F::Vector,
     distance: F,
 ) -> (Ray<F>, Span<F>) {
-    let (ray, span) = Shadow::SelfHitting.ray(hit, direction, distance);
+    let (ray, span) = start(Shadow::SelfHitting, hit, direction, distance);
     (
         ray,
         Span {
-            min: F::TINY,
+            min: F::from_bits(1),
             ..span
         },
     )
@@ -85,7 +96,7 @@ pub fn endless_interval<F: Float>(
     direction: F::Vector,
     distance: F,
 ) -> (Ray<F>, Span<F>) {
-    let (ray, span) = Shadow::SelfHitting.ray(hit, direction, distance);
+    let (ray, span) = start(Shadow::SelfHitting, hit, direction, distance);
     (
         ray,
         Span {
@@ -100,7 +111,7 @@ pub fn moved_away<F: Float>(
     direction: F::Vector,
     distance: F,
 ) -> (Ray<F>, Span<F>) {
-    Shadow::UlpOffset.ray(hit, direction, distance)
+    start(Shadow::UlpOffset, hit, direction, distance)
 }
 
 /// How a ray is moved off its surface, and the figure with such rays.

@@ -61,7 +61,7 @@ pub fn ray<F: Float>(exponents: Range<i32>) -> impl Strategy<Value = Ray<F>> + C
 
 /// Any bits at all, and often a number that is special.
 pub fn any_number<F: Float>() -> impl Strategy<Value = F> + Clone {
-    let (max, tiny) = (F::MAX.to_f64(), F::TINY.to_f64());
+    let (max, tiny) = (F::MAX.to_f64(), F::MIN_POSITIVE * F::EPSILON);
     let special = [0.0, 1.0, tiny, max, f64::INFINITY, f64::NAN];
     prop_oneof![
         any::<u64>().prop_map(F::from_bits),
@@ -85,9 +85,9 @@ pub fn unit_roundoff<F: Float>() -> f64 {
 /// Fails unless the vector has unit length, as far as rounding allows.
 ///
 /// The square of a length is a scalar product without cancellation, 3 roundings; its reciprocal 1
-/// more; the root halves them and adds 1; the last product adds 1. So the length is within 4 u of 1.
-/// By the reciprocal of the root, as for lights, it is 1.5 + 1 + 1 + 1: 4.5 u. So the square of the
-/// length is within 9 u of 1; 9.1 u leaves room for the products of errors.
+/// more; the root halves them and adds 1; the last product adds 1. So the length is off by
+/// 4 u. By the reciprocal of the root, as for lights, it is 1.5 + 1 + 1 + 1: 4.5 u. So the square
+/// of the length is off by 9 u; 9.1 u leaves room for the products of errors.
 pub fn is_unit<F: Sample>(v: F::Vector) -> Verdict {
     let exactly = crate::exact::exact_vector::<F>(v);
     let off = crate::exact::dot(&exactly, &exactly) - crate::exact::exact(1.0);

@@ -1,6 +1,6 @@
 //! Why a command cannot do what it was asked.
 
-use ombrage::Invalid;
+use ombrage::{Invalid, NoSuchLevel};
 use std::fmt;
 
 /// One line that names the value and says what to do instead. It ends a command with exit status 2.
@@ -28,6 +28,12 @@ impl fmt::Display for Error {
 impl From<Invalid> for Error {
     fn from(invalid: Invalid) -> Self {
         Self::new(invalid.to_string())
+    }
+}
+
+impl From<NoSuchLevel> for Error {
+    fn from(error: NoSuchLevel) -> Self {
+        Self::new(error.to_string())
     }
 }
 

@@ -6,12 +6,12 @@ mod sheet;
 mod study;
 mod view;
 
+use crate::arguments::{Format, Machine, parse_size};
 use crate::error::{Error, Result};
 use crate::output;
 use crate::progress;
 use crate::table::Table;
 use crate::workspace;
-use clap::ValueEnum;
 use job::{Outcome, Row, Task};
 use ombrage::{FIGURES, Figure, Size};
 use serde::Serialize;
@@ -52,6 +52,9 @@ pub struct Args {
     #[arg(long, value_name = "WxH", default_value = "600x400", value_parser = parse_size)]
     size: Size,
 
+    #[command(flatten)]
+    machine: Machine,
+
     /// Write to this directory, and to annotated/ in it [default: docs/figures of the workspace]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -63,12 +66,6 @@ pub struct Args {
     /// Write nothing; name the files that are missing or whose pixels differ
     #[arg(long)]
     check: bool,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Format {
-    F32,
-    F64,
 }
 
 /// The chosen figures, in the lab's order.
@@ -92,6 +89,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         Some(out) => out.clone(),
         None => workspace::root()?.join("docs").join("figures"),
     };
+    let engine = args.machine.engine(false)?;
     let task = if args.check {
         Task::Check(&out)
     } else {
@@ -105,8 +103,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let bar = progress::bar(job::STEPS * figures.len() as u64, long);
     let surveys = Surveys::default();
     let done = all(&figures, args.size, |figure| match args.float {
-        Format::F32 => job::work::<f32>(figure, args.size, task, &surveys, &bar),
-        Format::F64 => job::work::<f64>(figure, args.size, task, &surveys, &bar),
+        Format::F32 => job::work::<f32>(figure, args.size, engine, task, &surveys, &bar),
+        Format::F64 => job::work::<f64>(figure, args.size, engine, task, &surveys, &bar),
     });
     bar.finish_and_clear();
 
@@ -204,11 +202,4 @@ fn parse_names(text: &str) -> std::result::Result<Names, String> {
     }
     let chosen = FIGURES.iter().filter(|figure| names.contains(&figure.name));
     Ok(Names(chosen.collect()))
-}
-
-fn parse_size(text: &str) -> std::result::Result<Size, String> {
-    let advice = "write width x height, such as 600x400";
-    let (width, height) = text.split_once('x').ok_or(advice)?;
-    let number = |side: &str| side.parse::<u32>().map_err(|_| advice);
-    Size::new(number(width)?, number(height)?).map_err(|invalid| invalid.to_string())
 }

@@ -1,12 +1,12 @@
 //! `cargo xtask kernels`: the kit's kernels as a program that speaks the kernel protocol.
 
 use crate::error::{Error, Result};
+use crate::protocol::answer;
 use ombrage::conformance::Kernels;
 use ombrage::{Quality, Shadow};
 use serde_json::{Value, json};
 use std::io::{self, BufRead, ErrorKind, Write};
 use std::process::ExitCode;
-use xtask::protocol::answer;
 
 /// Answer requests of the kernel protocol: one JSON object a line, from standard input to standard output
 ///

@@ -1,21 +1,9 @@
 //! The commands of the kit: `cargo xtask`.
 
-mod draw;
-mod error;
-mod figures;
-mod kernels;
-mod output;
-mod picture_file;
-mod precision;
-mod progress;
-mod table;
-mod vectors;
-mod whole_file;
-mod workspace;
-
 use clap::{CommandFactory, Parser, Subcommand};
-use error::{Error, Result};
 use std::process::ExitCode;
+use xtask::error::{Error, Result};
+use xtask::{figures, kernels, output, precision, render, vectors};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
@@ -35,6 +23,7 @@ enum Command {
     Kernels(kernels::Args),
     Precision(precision::Args),
     Vectors(vectors::Args),
+    Render(render::Args),
 }
 
 fn main() -> ExitCode {
@@ -58,6 +47,7 @@ fn run() -> Result<ExitCode> {
         Some(Command::Kernels(args)) => kernels::run(&args),
         Some(Command::Precision(args)) => precision::run(&args),
         Some(Command::Vectors(args)) => vectors::run(&args),
+        Some(Command::Render(args)) => render::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;
             Ok(ExitCode::SUCCESS)

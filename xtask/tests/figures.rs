@@ -1,6 +1,6 @@
 //! `cargo xtask figures`, run as a program.
 
-use ombrage::{Dispatch, FIGURES, Figure, Picture, Size};
+use ombrage::{Dispatch, FIGURES, Figure, Level, Picture, Size};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -354,4 +354,27 @@ fn help_teaches() {
         .expect("the program starts");
     let text = String::from_utf8_lossy(&bare.stdout).into_owned();
     assert!(bare.status.success() && text.contains("figures"), "{text}");
+}
+
+#[test]
+fn every_level_and_thread_count_draws_the_same_files() {
+    let expected = TempDir::new().expect("a directory");
+    write_to(expected.path(), &["--size", "61x41"]);
+    let bytes = |directory: &Path| -> Vec<Vec<u8>> {
+        let found = files(directory).into_iter();
+        found.map(|(_, bytes)| bytes).collect()
+    };
+    for level in Level::ALL {
+        let args = ["--size", "61x41", "--level", level.name(), "--threads", "3"];
+        if level.is_available() {
+            let found = TempDir::new().expect("a directory");
+            write_to(found.path(), &args);
+            assert!(bytes(expected.path()) == bytes(found.path()), "{level}");
+        } else {
+            let output = run(&args);
+            let errors = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(2), "{errors}");
+            assert!(errors.contains("must be auto, scalar"), "{errors}");
+        }
+    }
 }

@@ -55,7 +55,7 @@ fn nearest(ray: &Ray, roots: &[Vec<Surd>]) -> Option<Nearest> {
                 nearest = Some(Nearest {
                     ids: vec![id],
                     t: t.clone(),
-                })
+                });
             }
         }
     }

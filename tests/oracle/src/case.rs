@@ -227,7 +227,7 @@ fn shade_truth(input: Fields) -> Result<Value, Error> {
     match (&truth.hit, &truth.lighting) {
         (Some(_), None) => exp["policy"] = json!("non-finite light or colour: no contribution"),
         (_, Some(lighting)) if lighting.light_at_hit => {
-            exp["policy"] = json!("light at the hit point: no contribution")
+            exp["policy"] = json!("light at the hit point: no contribution");
         }
         _ => {}
     }

@@ -43,7 +43,7 @@ fn requests() -> Vec<Value> {
 }
 
 /// The pointers to everything inside a value, and to itself.
-fn pointers(value: &Value, path: String) -> Vec<String> {
+fn pointers(value: &Value, path: &str) -> Vec<String> {
     let children: Vec<(String, &Value)> = match value {
         Value::Object(map) => map
             .iter()
@@ -58,8 +58,8 @@ fn pointers(value: &Value, path: String) -> Vec<String> {
     };
     let below = children
         .into_iter()
-        .flat_map(|(key, value)| pointers(value, format!("{path}/{key}")));
-    below.chain([path.clone()]).collect()
+        .flat_map(|(key, value)| pointers(value, &format!("{path}/{key}")));
+    below.chain([path.to_owned()]).collect()
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn good_requests_have_a_truth() {
 #[test]
 fn any_part_replaced_by_nonsense_is_an_error_that_names_it() {
     for request in requests() {
-        for pointer in pointers(&request, String::new()) {
+        for pointer in pointers(&request, "") {
             for nonsense in [
                 json!(null),
                 json!(1.5),
@@ -120,7 +120,7 @@ fn messages() {
 #[test]
 fn every_special_float_everywhere() {
     for request in requests() {
-        for pointer in pointers(&request["in"], "/in".into()) {
+        for pointer in pointers(&request["in"], "/in") {
             for bits in [
                 "7fc00000", "7f800000", "ff800000", "80000000", "00000001", "7f7fffff", "ff7fffff",
             ] {

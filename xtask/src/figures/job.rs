@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::picture_file;
 use crate::whole_file::WholeFile;
 use indicatif::ProgressBar;
-use ombrage::{Dispatch, Figure, Film, Picture, Size};
+use ombrage::{Engine, Figure, Film, Picture, Scalar, Size};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -58,16 +58,17 @@ pub enum Task<'a> {
 ///
 /// # Errors
 /// If a file cannot be written.
-pub fn work<S: Dispatch>(
+pub fn work<S: Scalar>(
     figure: &'static Figure,
     size: Size,
+    engine: Engine,
     task: Task,
     surveys: &Surveys,
     bar: &ProgressBar,
 ) -> Result<(Row, Vec<Outcome>)> {
     bar.set_message(format!("figure {}", figure.name));
     let start = Instant::now();
-    let picture = figure.draw::<S>(size)?;
+    let picture = figure.draw_with::<S>(size, engine)?;
     let seconds = start.elapsed().as_secs_f64();
     bar.inc(1);
 
@@ -84,7 +85,7 @@ pub fn work<S: Dispatch>(
     };
     let whole = match figure.detail {
         None => None,
-        Some(_) => Some(view.thin_out(undivided.draw::<S>(size)?)),
+        Some(_) => Some(view.thin_out(undivided.draw_with::<S>(size, engine)?)),
     };
     let findings = surveys.of::<S>(figure, size, &view)?;
     let counts = findings.counts;

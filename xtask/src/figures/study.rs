@@ -3,7 +3,7 @@
 use super::view::View;
 use crate::draw::Area;
 use crate::error::{Error, Result};
-use ombrage::{Counts, Dispatch, FIGURES, Figure, Film, Invalid, Picture, Pixel, Size};
+use ombrage::{Counts, FIGURES, Figure, Film, Invalid, Picture, Pixel, Scalar, Size};
 use std::sync::OnceLock;
 
 /// A figure's pixels as its sheet shows them, and what was found at them.
@@ -33,7 +33,7 @@ impl Surveys {
     ///
     /// # Errors
     /// None for the formats there are.
-    pub fn of<S: Dispatch>(&self, figure: &Figure, size: Size, view: &View) -> Result<&Findings> {
+    pub fn of<S: Scalar>(&self, figure: &Figure, size: Size, view: &View) -> Result<&Findings> {
         let alike = |other: &Figure| other.integrator == figure.integrator;
         let first = FIGURES.iter().position(alike).unwrap_or_default();
         self.0[first]
@@ -57,7 +57,7 @@ pub struct Findings {
 
 impl Findings {
     /// Follows the ray of every pixel of the figure.
-    fn of<S: Dispatch>(
+    fn of<S: Scalar>(
         figure: &Figure,
         size: Size,
         view: &View,

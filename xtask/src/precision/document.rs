@@ -1,10 +1,10 @@
 //! The text of docs/precision.md.
 
 use super::cost::{KERNELS, costs as measure};
+use crate::survey::{Measured, survey, vectors};
 use ombrage::Quality;
 use ombrage::conformance::{Allowed, KNOWN_FAILURES, Kernel, known_failures, precision};
 use std::path::Path;
-use xtask::survey::{Measured, survey, vectors};
 
 /// The line at which the costs begin, which differ from one machine and run to the next.
 pub const COSTS: &str = "## Costs\n";
