@@ -34,7 +34,10 @@ fn every_f32() {
             }
         };
         let running: Vec<_> = (0..threads).map(|n| scope.spawn(part(n * step))).collect();
-        running.into_iter().map(|thread| thread.join()).collect()
+        running
+            .into_iter()
+            .map(thread::ScopedJoinHandle::join)
+            .collect()
     });
     for part in found {
         let (wrong, first) = part.expect("a thread that counts does not panic");

@@ -2,7 +2,7 @@
 //! place from tangency, against the oracle.
 
 use ombrage::conformance::{Allowed, Kernel};
-use ombrage::{Float, Quality};
+use ombrage::{Float, Quality, Scalar};
 use ombrage_oracle::{Format, truth};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
@@ -99,7 +99,7 @@ fn tangent<F: Float>(quality: Quality, allowed: Allowed) {
     for_all(inputs, |(o, d, c, ulps)| {
         let [f, d64]: [[f64; 3]; 2] = [
             std::array::from_fn(|i| c[i].to_f64() - o[i].to_f64()),
-            d.map(|x| x.to_f64()),
+            d.map(Scalar::to_f64),
         ];
         let cross = [(1, 2), (2, 0), (0, 1)].map(|(i, j)| f[i] * d64[j] - f[j] * d64[i]);
         let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();

@@ -1,6 +1,6 @@
 //! `cargo xtask figures`, run as a program.
 
-use ombrage::{Dispatch, FIGURES, Figure, Level, Picture, Size};
+use ombrage::{FIGURES, Figure, Level, Picture, Scalar, Size};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -67,7 +67,7 @@ fn names(directory: &Path) -> Vec<String> {
         .collect()
 }
 
-fn equals_draw<S: Dispatch>(width: u32, height: u32) {
+fn equals_draw<S: Scalar>(width: u32, height: u32) {
     let directory = TempDir::new().expect("a directory");
     let size = Size::new(width, height).expect("a size");
     write_to(

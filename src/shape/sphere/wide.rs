@@ -110,7 +110,8 @@ impl<W: Scalar> Question<W> {
         let place = |t: W| place(t, &from_center, &direction, &rr);
         let (min, max) = (place(self.span.min), place(self.span.max));
         let near_counts = min.near.is_ge() && max.near.is_le();
-        if !near_counts && !(min.far.is_ge() && max.far.is_le()) {
+        let far_counts = min.far.is_ge() && max.far.is_le();
+        if !(near_counts || far_counts) {
             return None;
         }
         let a = a.round();
