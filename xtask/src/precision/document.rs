@@ -39,11 +39,11 @@ fn default_quality(beyond: [usize; 3], cases: usize) -> String {
 
 The default is `{}`. Of the {cases} cases of rays and lights, {textbook} are beyond what is allowed for
 `textbook`, {stable} for `stable` and {wide} for `wide`. Those of `stable` are all of one kind: coordinates
-whose squares leave the range of the format, which is none that scenes have. Elsewhere it keeps the bound
+whose products leave the range of the format, which is none that scenes have. Elsewhere it keeps the bound
 of its form, and `textbook` keeps none.
 
 The costs below: a call of `stable` takes up to about twice the time of `textbook`, and it can be computed
-in packets. `wide` takes 4 to 11 times as long in `f32`, 50 times and more in `f64`, and goes lane by lane:
+in packets. `wide` takes 4 to 12 times as long in `f32`, 50 times and more in `f64`, and goes lane by lane:
 the quality to choose where no decision may be wrong, or coordinates leave the range. Shadows of the kit's
 own chain need no better quality than the default, since they rest on sides and not on t.
 
