@@ -160,6 +160,11 @@ impl Scalar for f32 {
         wide as f32
     }
 
+    #[inline(always)]
+    fn scaled(self, power_of_two: f64) -> f32 {
+        (f64::from(self) * power_of_two) as f32
+    }
+
     fn tan_half(degrees: f32) -> f32 {
         f64::tan_half(f64::from(degrees)) as f32
     }
@@ -191,6 +196,11 @@ impl Scalar for f64 {
     #[inline(always)]
     fn narrow(wide: DoubleDouble) -> f64 {
         wide.high()
+    }
+
+    #[inline(always)]
+    fn scaled(self, power_of_two: f64) -> f64 {
+        self * power_of_two
     }
 
     fn tan_half(degrees: f64) -> f64 {

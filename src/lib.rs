@@ -49,12 +49,14 @@
 
 mod camera;
 mod chain;
+pub mod conformance;
 mod error;
 mod figure;
 mod film;
 mod float;
 mod integrator;
 pub mod lab;
+mod leave;
 mod level;
 mod light;
 mod picture;
@@ -76,6 +78,7 @@ pub use figure::{Detail, FIGURES, Figure};
 pub use film::Film;
 pub use float::Float;
 pub use integrator::{DirectLighting, Integrator, ShadowQuery};
+pub use leave::leave;
 pub use level::{Level, NoSuchLevel};
 pub use light::{LightSample, PointLight};
 pub use picture::{Picture, Size};

@@ -11,6 +11,9 @@ pub struct PointLight<S: Scalar> {
     position: S::Vector,
     color: S::Vector,
     power: S,
+    /// `color * power` as a product of two vectors of about the same magnitude, the first of powers of
+    /// two: so neither overflows, nor the radiance before its time.
+    halves: [S::Vector; 2],
 }
 
 /// What a point receives from a light where nothing stands between (the lab's `LightSample`).
@@ -41,6 +44,7 @@ impl<S: Scalar> PointLight<S> {
             position,
             color,
             power,
+            halves: halves::<S>(color, power),
         })
     }
 
@@ -71,26 +75,70 @@ impl<S: Scalar> PointLight<S> {
         quality: Quality,
     ) -> LightSample<R> {
         let token = point.x().token();
-        let to_light = R::Vector::splat(token, self.position) - point;
+        let position = R::Vector::splat(token, self.position);
         let (color, power) = (
             R::Vector::splat(token, self.color),
             R::splat(token, self.power),
         );
         let one = power.constant(1.0);
-        let Scale { unit, reciprocal } = match quality {
-            Quality::Textbook => Scale {
-                unit: one,
-                reciprocal: one,
-            },
-            Quality::Stable | Quality::Wide => Scale::<R>::of_vector(to_light),
+        let whole = Scale {
+            unit: one,
+            reciprocal: one,
+        };
+        let (to_light, stretch, Scale { unit, reciprocal }) = match quality {
+            Quality::Textbook => (position - point, whole, whole),
+            Quality::Stable | Quality::Wide => {
+                let (to_light, stretch) = difference::<R>(position, point);
+                (to_light, stretch, Scale::<R>::of_vector(to_light))
+            }
         };
         let to_light = to_light * reciprocal;
         let square = to_light.dot(to_light);
+        let radiance = match quality {
+            Quality::Textbook => color * (power / square),
+            Quality::Stable | Quality::Wide => {
+                let [coarse, fine] = self.halves.map(|half| R::Vector::splat(token, half));
+                let reciprocal = reciprocal * stretch.reciprocal;
+                fine * (reciprocal / square) * (coarse * reciprocal)
+            }
+        };
         LightSample {
             direction: to_light.normalized(),
-            distance: square.sqrt() * unit,
-            radiance: color * (power / square * reciprocal * reciprocal),
+            distance: square.sqrt() * unit * stretch.unit,
+            radiance,
             pdf: one,
         }
     }
+}
+
+/// See [`PointLight`].
+fn halves<S: Scalar>(color: S::Vector, power: S) -> [S::Vector; 2] {
+    let root = |x: S| {
+        let root = x.sqrt().binade();
+        let smallest = S::from_f64(S::MIN_POSITIVE);
+        S::select(root < smallest, smallest, root)
+    };
+    let [r, g, b] = color.to_array().map(root);
+    let coarse = S::Vector::new(r, g, b);
+    let [fine_r, fine_g, fine_b] = color.to_array();
+    let fine = S::Vector::new(fine_r / r, fine_g / g, fine_b / b);
+    let coarse_power = root(power);
+    [coarse * coarse_power, fine * (power / coarse_power)]
+}
+
+/// `a - b` over the unit of a scale: 1, or 2 where the difference itself would overflow.
+#[inline(always)]
+fn difference<R: Real>(a: R::Vector, b: R::Vector) -> (R::Vector, Scale<R>) {
+    let plain = a - b;
+    let largest = R::splat(plain.x().token(), R::Scalar::MAX);
+    let [x, y, z] = plain.abs().to_array();
+    let overflows = x.gt(largest) | y.gt(largest) | z.gt(largest);
+    let (half, one, two) = (x.constant(0.5), x.constant(1.0), x.constant(2.0));
+    (
+        R::Vector::select(overflows, a * half - b * half, plain),
+        Scale {
+            unit: R::select(overflows, two, one),
+            reciprocal: R::select(overflows, half, one),
+        },
+    )
 }

@@ -12,6 +12,7 @@
 //! since every comparison with NaN is false.
 
 mod double_double;
+pub(crate) mod expansion;
 mod lanes;
 mod packet;
 mod pair;
@@ -156,6 +157,12 @@ pub trait Scalar:
     fn from_double_double(value: DoubleDouble) -> Self {
         Self::from_f64(value.to_f64())
     }
+    /// The same number as a double-double, exactly.
+    fn to_double_double(self) -> DoubleDouble {
+        DoubleDouble::from_f64(self.to_f64())
+    }
+    /// The number times a power of two: exact, unless the product overflows or is below the smallest normal number.
+    fn scaled(self, power_of_two: f64) -> Self;
     /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on
     /// every machine.
     fn tan_half(degrees: Self) -> Self;

@@ -62,7 +62,7 @@ impl DoubleDouble {
 
 /// The rounded sum and its exact error (Knuth).
 #[inline(always)]
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_part = sum - a;
     (sum, (a - (sum - b_part)) + (b - b_part))
@@ -70,7 +70,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// The rounded product and its exact error (Dekker, with Veltkamp's splitting).
 #[inline(always)]
-fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let (a_high, a_low) = split(a);
     let (b_high, b_low) = split(b);
@@ -278,6 +278,15 @@ impl Scalar for DoubleDouble {
 
     fn from_double_double(value: Self) -> Self {
         value
+    }
+
+    fn to_double_double(self) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn scaled(self, power_of_two: f64) -> Self {
+        Self::of(self.high * power_of_two, self.low * power_of_two)
     }
 
     fn tan_half(degrees: Self) -> Self {

@@ -1,12 +1,15 @@
 //! The plane (clauses 1.1 and 1.2).
 
-use super::wide::{one_precision_up, widen, widen_ray};
+mod wide;
+
+use super::wide::one_precision_up;
 use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
-use crate::quality::{Quality, Scale, unit};
+use crate::quality::{Quality, unit};
 use crate::ray::{Ray, Span};
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
+use std::cmp::Ordering;
 
 /// A plane through a point, with a normal. It has no inside: both sides are seen alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +37,11 @@ impl<S: Scalar> Plane<S> {
         })
     }
 
+    /// On which side a finite point lies, in exact arithmetic. Greater where the normal points, less behind, equal on the plane.
+    pub fn side(&self, point: S::Vector) -> Ordering {
+        wide::side::<S>(point, self.point, self.normal)
+    }
+
     /// A point of the plane.
     pub fn point(&self) -> S::Vector {
         self.point
@@ -50,35 +58,6 @@ impl<S: Scalar> Plane<S> {
 #[inline(always)]
 fn t<R: Real>(ray: &Ray<R>, point: R::Vector, normal: R::Vector) -> R {
     (point - ray.origin).dot(normal) / ray.direction.dot(normal)
-}
-
-/// The same with every vector scaled, so that no product overflows or underflows where the
-/// parameter does not.
-#[inline(always)]
-fn scaled_t<R: Real>(ray: &Ray<R>, point: R::Vector, normal: R::Vector) -> R {
-    let to_point = point - ray.origin;
-    let (near, along) = (
-        Scale::<R>::of_vector(to_point),
-        Scale::<R>::of_vector(ray.direction),
-    );
-    let normal = normal * Scale::<R>::of_vector(normal).reciprocal;
-    let height = (to_point * near.reciprocal).dot(normal);
-    let slope = (ray.direction * along.reciprocal).dot(normal);
-    height / slope * (near.unit * along.reciprocal)
-}
-
-/// The parameter of the hit, computed one precision up and rounded once; NaN where there is none.
-fn wide_t<S: Scalar>(ray: &Ray<S>, span: &Span<S>, point: S::Vector, normal: S::Vector) -> S {
-    let t = scaled_t(&widen_ray(ray), widen::<S>(point), widen::<S>(normal));
-    let span = Span {
-        min: span.min.widen(),
-        max: span.max.widen(),
-    };
-    if span.contains(t) {
-        S::narrow(t)
-    } else {
-        S::from_f64(f64::NAN)
-    }
 }
 
 impl<S: Scalar> Shape<S> for Plane<S> {
@@ -103,7 +82,7 @@ impl<S: Scalar> Shape<S> for Plane<S> {
                 }
             }
             Quality::Wide => one_precision_up(ray, span, |ray, span| {
-                wide_t(ray, span, self.point, self.normal)
+                wide::wide_t(ray, span, self.point, self.normal)
             }),
         }
     }

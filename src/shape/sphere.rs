@@ -1,12 +1,15 @@
 //! The sphere (from the lab before this one).
 
-use super::wide::{one_precision_up, widen, widen_ray};
+mod wide;
+
+use super::wide::one_precision_up;
 use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
-use crate::quality::{Quality, Scale};
+use crate::quality::Quality;
 use crate::ray::{Ray, Span};
 use crate::real::{Real, Scalar};
 use crate::vector::Vector;
+use std::cmp::Ordering;
 
 /// A sphere: all points at distance `radius` from `center`. It can be seen from inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +33,11 @@ impl<S: Scalar> Sphere<S> {
     /// The center.
     pub fn center(&self) -> S::Vector {
         self.center
+    }
+
+    /// On which side a finite point lies, in exact arithmetic. Greater outside, less inside, equal on the sphere.
+    pub fn side(&self, point: S::Vector) -> Ordering {
+        wide::side::<S>(point, self.center, self.radius)
     }
 
     /// The radius.
@@ -74,24 +82,6 @@ fn stable_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius: R
     )
 }
 
-/// The stable roots with lengths and direction scaled, so that no product overflows or underflows
-/// where the roots do not.
-#[inline(always)]
-fn scaled_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius: R) -> Roots<R> {
-    let [x, y, z] = from_center.to_array();
-    let (size, along) = (
-        Scale::of([x, y, z, radius]),
-        Scale::<R>::of_vector(direction),
-    );
-    let (near, far) = stable_roots(
-        from_center * size.reciprocal,
-        direction * along.reciprocal,
-        radius * size.reciprocal,
-    );
-    let unit = size.unit * along.reciprocal;
-    (near * unit, far * unit)
-}
-
 /// The nearer root that lies in the interval.
 #[inline(always)]
 fn nearest<R: Real>((near, far): Roots<R>, span: &Span<R>) -> Hit<R> {
@@ -99,23 +89,6 @@ fn nearest<R: Real>((near, far): Roots<R>, span: &Span<R>) -> Hit<R> {
     Hit {
         mask: near_counts | span.contains(far),
         t: R::select(near_counts, near, far),
-    }
-}
-
-/// The parameter of the hit, computed one precision up and rounded once; NaN where there is none.
-fn wide_t<S: Scalar>(ray: &Ray<S>, span: &Span<S>, center: S::Vector, radius: S) -> S {
-    let ray = widen_ray(ray);
-    let from_center = ray.origin - widen::<S>(center);
-    let roots = scaled_roots(from_center, ray.direction, radius.widen());
-    let span = Span {
-        min: span.min.widen(),
-        max: span.max.widen(),
-    };
-    let hit = nearest(roots, &span);
-    if hit.mask {
-        S::narrow(hit.t)
-    } else {
-        S::from_f64(f64::NAN)
     }
 }
 
@@ -137,7 +110,7 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
             Quality::Textbook => nearest(textbook_roots(origin - center, direction, radius), span),
             Quality::Stable => nearest(stable_roots(origin - center, direction, radius), span),
             Quality::Wide => one_precision_up(ray, span, |ray, span| {
-                wide_t(ray, span, self.center, self.radius)
+                wide::wide_t(ray, span, self.center, self.radius)
             }),
         }
     }

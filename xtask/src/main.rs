@@ -3,7 +3,7 @@
 use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
-use xtask::{compare, figures, output, render, shadows};
+use xtask::{compare, figures, kernels, output, precision, render, shadows, vectors};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
@@ -22,6 +22,9 @@ enum Command {
     Figures(figures::Args),
     Shadows(shadows::Args),
     Compare(compare::Args),
+    Kernels(kernels::Args),
+    Precision(precision::Args),
+    Vectors(vectors::Args),
     Render(render::Args),
 }
 
@@ -45,6 +48,9 @@ fn run() -> Result<ExitCode> {
         Some(Command::Figures(args)) => figures::run(&args),
         Some(Command::Shadows(args)) => shadows::run(&args),
         Some(Command::Compare(args)) => compare::run(&args),
+        Some(Command::Kernels(args)) => kernels::run(&args),
+        Some(Command::Precision(args)) => precision::run(&args),
+        Some(Command::Vectors(args)) => vectors::run(&args),
         Some(Command::Render(args)) => render::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;

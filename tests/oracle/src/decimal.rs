@@ -27,6 +27,26 @@ pub fn decimal(x: &Rational) -> String {
     }
 }
 
+/// The number that such a text says, also with fewer digits; `None` for any other text.
+pub fn parse(text: &str) -> Option<Rational> {
+    let (digits, exponent) = text.split_once('e')?;
+    let negative = digits.starts_with('-');
+    let (whole, fraction) = digits.trim_start_matches('-').split_once('.')?;
+    let ten = Rational::from(10);
+    let mut value = Rational::ZERO;
+    for digit in whole.chars().chain(fraction.chars()) {
+        value = value * &ten + Rational::from(digit.to_digit(10)?);
+    }
+    let exponent = exponent.parse::<isize>().ok()? - isize::try_from(fraction.len()).ok()?;
+    let power = Rational::from(UBig::from(10u8).pow(exponent.unsigned_abs()));
+    let value = if exponent < 0 {
+        value / power
+    } else {
+        value * power
+    };
+    Some(if negative { -value } else { value })
+}
+
 /// The integer nearest to `|x| 10^power`.
 fn scaled(x: &Rational, power: isize) -> UBig {
     let ten = UBig::from(10u8).pow(power.unsigned_abs());
@@ -51,6 +71,23 @@ fn scientific(digits: &str, exponent: isize) -> String {
 mod tests {
     use super::*;
     use crate::exact::{power_of_two, rational};
+
+    #[test]
+    fn parse_reads_what_decimal_writes() {
+        for x in [0.0, 1.0, -0.1, 5e-324, 1.797e308, -1.0 / 3.0] {
+            let text = decimal(&rational(x).unwrap());
+            assert_eq!(decimal(&parse(&text).unwrap()), text);
+        }
+        assert_eq!(
+            parse("1.5e+00"),
+            Some(Rational::from_parts(3.into(), 2u8.into()))
+        );
+        assert!(
+            ["", "1", "1.5", "x.5e+00", "1.5e", "e+00"]
+                .iter()
+                .all(|text| parse(text).is_none())
+        );
+    }
 
     #[test]
     fn known_numbers() {

@@ -94,6 +94,17 @@ impl Sphere {
         }
     }
 
+    /// Both meetings of the ray's line, each with its bound ([`SphereHit::bound_u`]); `None` if the line misses.
+    pub fn bounded_roots(&self, ray: &Ray) -> Option<[(Surd, Option<f64>); 2]> {
+        let quadratic = Quadratic::new(self, ray);
+        let bounded = |which: usize, t: Surd| {
+            let bound = (t.sign() != 0).then(|| quadratic.bound(which)).flatten();
+            (t, bound)
+        };
+        let [near, far] = quadratic.roots()?;
+        Some([bounded(0, near), bounded(1, far)])
+    }
+
     fn hit(&self, ray: &Ray, quadratic: &Quadratic, which: usize, t: &Surd) -> SphereHit {
         let p = ray.at(t);
         let inverse = Rational::ONE / &self.radius;
