@@ -1,8 +1,8 @@
 //! What judges kernels: the questions that are asked of them, the kit's own answers, and how far an
 //! answer may be from the truth.
 //!
-//! The questions are those of the kernel protocol (`docs/protocol.md`). This module may know all of the
-//! library; nothing in the library knows it.
+//! The questions are those of the kernel protocol (`docs/protocol.md`). This module may know all of
+//! the library; nothing in the library knows it.
 
 mod kernels;
 mod precision;
@@ -63,8 +63,8 @@ impl Kernel {
         Self::ALL.into_iter().find(|kernel| kernel.name() == name)
     }
 
-    /// Whether its answers depend on the [`Quality`](crate::Quality). Those of the others are as right
-    /// as they can be in every quality.
+    /// Whether its answers depend on the [`Quality`](crate::Quality). Those of the others are as
+    /// right as they can be in every quality.
     pub fn has_qualities(self) -> bool {
         !matches!(self, Kernel::Shade | Kernel::Offset | Kernel::Quantise)
     }

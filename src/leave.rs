@@ -8,9 +8,9 @@ use std::cmp::Ordering;
 /// surface, as `side` tells in exact arithmetic ([`Plane::side`](crate::Plane::side),
 /// [`Sphere::side`](crate::Sphere::side)). A point that is there already stays.
 ///
-/// The way doubles from 1 unit in the last place of the largest coordinate on, so it is at most twice
-/// what the error of the point calls for, give or take a rounding. Where no way helps (the normal
-/// shows along the surface, or is not finite) the point is returned as it is.
+/// The way doubles from 1 unit in the last place of the largest coordinate on, so it is at most
+/// twice what the error of the point calls for, give or take a rounding. Where no way helps (the
+/// normal shows along the surface, or is not finite) the point is returned as it is.
 pub fn leave<F: Float>(
     point: F::Vector,
     normal: F::Vector,

@@ -11,8 +11,8 @@ pub struct PointLight<S: Scalar> {
     position: S::Vector,
     color: S::Vector,
     power: S,
-    /// `color * power` as a product of two vectors of about the same magnitude, the first of powers of
-    /// two: so neither overflows, nor the radiance before its time.
+    /// `color * power` as a product of two vectors of about the same magnitude, the first of powers
+    /// of two: so neither overflows, nor the radiance before its time.
     halves: [S::Vector; 2],
 }
 

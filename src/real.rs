@@ -161,7 +161,8 @@ pub trait Scalar:
     fn to_double_double(self) -> DoubleDouble {
         DoubleDouble::from_f64(self.to_f64())
     }
-    /// The number times a power of two: exact, unless the product overflows or is below the smallest normal number.
+    /// The number times a power of two: exact, unless the product overflows or is below the
+    /// smallest normal number.
     fn scaled(self, power_of_two: f64) -> Self;
     /// The tangent of half the angle `degrees`, from a pure-Rust implementation: the same bits on
     /// every machine.

@@ -19,8 +19,8 @@ use std::cmp::Ordering;
 pub struct Kernels {
     /// How well rays and light samples are computed.
     pub quality: Quality,
-    /// How shadow rays leave their surface in the lab's chain. `None`, the default: there are no shadow
-    /// rays; which side of a surface a point is on says what blocks.
+    /// How shadow rays leave their surface in the lab's chain. `None`, the default: there are no
+    /// shadow rays; which side of a surface a point is on says what blocks.
     pub shadow: Option<Shadow>,
 }
 
@@ -38,8 +38,8 @@ pub struct Offset<F: Float> {
 }
 
 impl Kernels {
-    /// The nearest hit of a surface in the closed interval; `None` for none, and for input that policy
-    /// calls a miss.
+    /// The nearest hit of a surface in the closed interval; `None` for none, and for input that
+    /// policy calls a miss.
     pub fn hit<F: Float>(&self, ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
         let span = interval(ray, ends)?;
         let hit = match surface.shape(|x: F| x)? {
@@ -139,7 +139,8 @@ fn seen_from(origin: Ordering, by_direction: Ordering) -> Ordering {
     origin.then(by_direction)
 }
 
-/// Greater for a direction that leaves the sphere at the ray's origin on it, less for one that enters.
+/// Greater for a direction that leaves the sphere at the ray's origin on it, less for one that
+/// enters.
 fn outward<F: Float>(sphere: &Sphere<F>, ray: Ray<F>) -> Ordering {
     let from_center = exact::<F>(ray.origin) - exact::<F>(sphere.center());
     sign(from_center.dot(exact::<F>(ray.direction)))

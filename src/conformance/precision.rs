@@ -13,8 +13,8 @@ pub enum Allowed {
     CorrectlyRounded,
     /// At most so many units in the last place of the exact value; every decision is right.
     Ulp(u32),
-    /// At most k times the a-priori bound of the case, `u * bound_u * |t|`, where it has one. A decision
-    /// whose margin is within three of those bounds may fall either way.
+    /// At most k times the a-priori bound of the case, `u * bound_u * |t|`, where it has one. A
+    /// decision whose margin is within three of those bounds may fall either way.
     Bound(u32),
 }
 
@@ -56,8 +56,8 @@ const DOUBLE_DOUBLE: &str = "in double-double to about 2^-90, then rounded; f32 
 const SIDE: &str = "decided in exact arithmetic";
 const BYTE: &str = "a whole number, by the exact product 255 x";
 
-/// The error that a kernel may make in a quality and a format (`f32` or `f64`), on every test vector but
-/// those of the [`KNOWN_FAILURES`].
+/// The error that a kernel may make in a quality and a format (`f32` or `f64`), on every test
+/// vector but those of the [`KNOWN_FAILURES`].
 pub fn precision(kernel: Kernel, quality: Quality, float: &str) -> Precision {
     use Allowed::{Bound, Exact, Ulp};
     let (allowed, reason) = match (kernel, quality, float) {
@@ -76,8 +76,8 @@ pub fn precision(kernel: Kernel, quality: Quality, float: &str) -> Precision {
     Precision { allowed, reason }
 }
 
-/// Families of vectors that a kernel is known to fail: in each, at least one case is further from the
-/// truth than allowed.
+/// Families of vectors that a kernel is known to fail: in each, at least one case is further from
+/// the truth than allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct KnownFailure {
     /// The kernel.

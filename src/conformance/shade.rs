@@ -47,14 +47,15 @@ pub struct Shaded<F: Float> {
 type D = DoubleDouble;
 type V = Triple<D>;
 
-/// Results this near to zero, over their terms, are within the error of double-double and count as 0:
-/// 2^-90, where a chain of some twenty roundings leaves about 2^-97.
+/// Results this near to zero, over their terms, are within the error of double-double and count as
+/// 0: 2^-90, where a chain of some twenty roundings leaves about 2^-97.
 const ZERO: f64 = 1.0 / (1u128 << 90) as f64;
 
 impl<F: Float> Shade<F> {
     /// The kit's way. The hit is decided in exact arithmetic, everything after it in double-double.
-    /// Nothing leaves a surface: another plane blocks where it parts the point from the light, another
-    /// sphere where the way reaches into it, and for the surface itself the normal's side is enough.
+    /// Nothing leaves a surface: another plane blocks where it parts the point from the light,
+    /// another sphere where the way reaches into it, and for the surface itself the normal's side
+    /// is enough.
     pub(super) fn by_sides(&self) -> Shaded<F> {
         let shapes: Vec<Option<Valid<D>>> = self
             .objects
@@ -193,8 +194,8 @@ impl Met {
         shapes.iter().enumerate().any(crosses)
     }
 
-    /// By the sides of both ends. Where both are outside, the sphere blocks if the nearest point lies
-    /// between them and `|p x l|² <= r² |l - p|²` (Lagrange), p and l seen from the center.
+    /// By the sides of both ends. Where both are outside, the sphere blocks if the nearest point
+    /// lies between them and `|p x l|² <= r² |l - p|²` (Lagrange), p and l seen from the center.
     fn crosses_sphere(&self, sphere: &Sphere<D>, own: bool, light: V) -> bool {
         let point = self.point - sphere.center();
         let to_light = light - sphere.center();
@@ -230,8 +231,8 @@ fn apart(difference: D, terms: D) -> Ordering {
     }
 }
 
-/// The lower end of an interval that does not contain its end. Hits at parameters between 0 and 2^-400,
-/// whose squares would be lost, are given up for it.
+/// The lower end of an interval that does not contain its end. Hits at parameters between 0 and
+/// 2^-400, whose squares would be lost, are given up for it.
 fn just_above(t: D) -> D {
     let step = t.abs() * (4.0 * D::EPSILON);
     if step > D::from_f64(0.0) {

@@ -53,8 +53,8 @@ impl<F: Float> Surface<F> {
 /// The ends of an interval as a question gives them: `[tmin, tmax]`.
 pub type Ends<F> = [F; 2];
 
-/// The interval, where the ray can hit anything: origin, direction and `tmin` are finite, the direction
-/// is not zero, and `tmax` is finite or +∞.
+/// The interval, where the ray can hit anything: origin, direction and `tmin` are finite, the
+/// direction is not zero, and `tmax` is finite or +∞.
 pub(super) fn interval<F: Float>(ray: &Ray<F>, [tmin, tmax]: Ends<F>) -> Option<Span<F>> {
     let finite = |v: F::Vector| v.to_array().into_iter().all(F::is_finite);
     let moves = ray.direction != F::Vector::constant((), [0.0; 3]);

@@ -6,12 +6,12 @@ use crate::vector::Vector;
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
 
-/// The exact value of sums, differences and products of numbers, as a sum of `f64` of which none overlaps another, the
-/// smallest first. It is exact as long as no product of two parts overflows or has bits below 2^-1074, which numbers scaled
-/// to about 1 do not.
+/// The exact value of sums, differences and products of numbers, as a sum of `f64` of which none
+/// overlaps another, the smallest first. It is exact as long as no product of two parts overflows
+/// or has bits below 2^-1074, which numbers scaled to about 1 do not.
 ///
-/// Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete &
-/// Computational Geometry 18 (1997), sections 2.4 to 2.8.
+/// Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+/// Predicates", Discrete & Computational Geometry 18 (1997), sections 2.4 to 2.8.
 #[derive(Clone, Debug)]
 pub(crate) struct Expansion(Vec<f64>);
 

@@ -128,7 +128,7 @@ impl<S: Scalar> Occluder<S> {
     ///
     /// With p and l from the center to either end, the line passes at distance `|p x l| / |l - p|`,
     /// and the nearest point lies between the ends where `dot(p, l)` is below both p² and l². A way
-    /// that only touches the sphere is free.
+    /// that only touches the sphere is blocked: a tangent ray hits.
     #[inline(always)]
     fn blocks<R: Real<Scalar = S>>(&self, point: R::Vector, square: R) -> R::Mask {
         let token = square.token();
@@ -138,7 +138,7 @@ impl<S: Scalar> Occluder<S> {
         let moment = to_point.cross(to_light);
         let near = moment
             .dot(moment)
-            .lt(R::splat(token, self.radius_squared) * square);
+            .le(R::splat(token, self.radius_squared) * square);
         near & product.lt(to_point.dot(to_point))
             & product.lt(R::splat(token, self.to_light_squared))
     }

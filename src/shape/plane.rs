@@ -37,7 +37,8 @@ impl<S: Scalar> Plane<S> {
         })
     }
 
-    /// On which side a finite point lies, in exact arithmetic. Greater where the normal points, less behind, equal on the plane.
+    /// On which side a finite point lies, in exact arithmetic. Greater where the normal points,
+    /// less behind, equal on the plane.
     pub fn side(&self, point: S::Vector) -> Ordering {
         wide::side::<S>(point, self.point, self.normal)
     }

@@ -35,7 +35,8 @@ impl<S: Scalar> Sphere<S> {
         self.center
     }
 
-    /// On which side a finite point lies, in exact arithmetic. Greater outside, less inside, equal on the sphere.
+    /// On which side a finite point lies, in exact arithmetic. Greater outside, less inside, equal
+    /// on the sphere.
     pub fn side(&self, point: S::Vector) -> Ordering {
         wide::side::<S>(point, self.center, self.radius)
     }

@@ -1,8 +1,8 @@
 //! How a kernel is computed one precision up: lane by lane, rounded once at the end.
 //!
 //! A filter computes one precision up and bounds its own error. Where that cannot decide (near
-//! tangency, at an end of the interval, on the surface), exact arithmetic decides. So no decision is
-//! wrong, and the rare exact way costs little on average.
+//! tangency, at an end of the interval, on the surface), exact arithmetic decides. So no decision
+//! is wrong, and the rare exact way costs little on average.
 
 use super::Hit;
 use crate::quality::Scale;
@@ -40,7 +40,8 @@ pub(super) fn trust<S: Scalar>() -> f64 {
     32.0 * (4.0 * S::Wide::EPSILON) / S::EPSILON
 }
 
-/// Powers of two by which positions and directions are divided, so that neither has a component above 2.
+/// Powers of two by which positions and directions are divided, so that neither has a component
+/// above 2.
 #[derive(Clone, Copy)]
 pub(super) struct Units {
     size: Scale<f64>,
@@ -108,7 +109,8 @@ pub(super) fn within<S: Scalar>(t: S, span: &Span<S>) -> S {
     S::select(span.max.lt(t), span.max, t)
 }
 
-/// Where `t` lies, if its error leaves no doubt: `Some(true)` in the interval, `Some(false)` outside.
+/// Where `t` lies, if its error leaves no doubt: `Some(true)` in the interval, `Some(false)`
+/// outside.
 pub(super) fn surely_in<W: Scalar>(t: W, span: &Span<W>, trust: f64) -> Option<bool> {
     let trust = W::from_f64(trust);
     let sure = |end: W| !end.is_finite() || (t - end).abs().gt((t.abs() + end.abs()) * trust);

@@ -24,8 +24,8 @@ use study::Surveys;
 
 /// Draw the six figures of the lab: fig1.png to fig3c.png as computed, annotated/ with notes
 ///
-/// The plain files hold exactly the pixels computed. Those in annotated/ say what to see: where bytes
-/// wrap, which pixels are acne, what is enlarged, where the shadow lies.
+/// The plain files hold exactly the pixels computed. Those in annotated/ say what to see: where
+/// bytes wrap, which pixels are acne, what is enlarged, where the shadow lies.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:

@@ -63,8 +63,8 @@ pub fn judge(case: &Value, out: &Value) -> Verdict {
     verdict.unwrap_or(Verdict::of(Some(Wrong::Malformed)))
 }
 
-/// A decision nearer to another than this many a-priori bounds may fall either way, where the allowed error is one of
-/// those bounds: what the stable forms promise.
+/// A decision nearer to another than this many a-priori bounds may fall either way, where the
+/// allowed error is one of those bounds: what the stable forms promise.
 const MARGIN: f64 = 3.0;
 
 /// Whether an answer with this verdict is more wrong than allowed.

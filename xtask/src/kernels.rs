@@ -8,10 +8,11 @@ use serde_json::{Value, json};
 use std::io::{self, BufRead, ErrorKind, Write};
 use std::process::ExitCode;
 
-/// Answer requests of the kernel protocol: one JSON object a line, from standard input to standard output
+/// Answer requests of the kernel protocol: one JSON object a line, from standard input to standard
+/// output
 ///
-/// A line that is no request gets {"line": N, "error": "..."} in its place, and the program goes on.
-/// docs/protocol.md describes requests and answers.
+/// A line that is no request gets {"line": N, "error": "..."} in its place, and the program goes
+/// on. docs/protocol.md describes requests and answers.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -91,8 +92,8 @@ fn reply(kernels: &Kernels, line: &[u8], length: usize) -> std::result::Result<V
     answer(kernels, &request)
 }
 
-/// Reads to the end of the line and returns its length; `None` at the end of the input. Of a line that
-/// is too long only the start is kept.
+/// Reads to the end of the line and returns its length; `None` at the end of the input. Of a line
+/// that is too long only the start is kept.
 fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<Option<usize>> {
     line.clear();
     let mut length = 0;

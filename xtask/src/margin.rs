@@ -19,12 +19,12 @@ pub fn doubles<F: Float>(v: F::Vector) -> [f64; 3] {
     v.to_array().map(Scalar::to_f64)
 }
 
-/// Whether an error of `k` times the a-priori bound may change what the ray hits of the surface: a root
-/// is as near as that to an end of the interval, or the line as near to tangency.
+/// Whether an error of `k` times the a-priori bound may change what the ray hits of the surface: a
+/// root is as near as that to an end of the interval, or the line as near to tangency.
 ///
-/// With f the distance of the origin from the center and m that of the line, a stable form knows m to
-/// k u (f + m), so the margin 1 - (m/r)² to what that makes of the square. A root of
-/// exactly 0 and a parallel ray have no bound, and are near only to an end of 0 and to any.
+/// With f the distance of the origin from the center and m that of the line, a stable form knows m
+/// to k u (f + m), so the margin 1 - (m/r)² to what that makes of the square. A root of exactly 0
+/// and a parallel ray have no bound, and are near only to an end of 0 and to any.
 pub fn is_marginal<F: Float>(
     ray: &Ray<F>,
     [tmin, tmax]: Ends<F>,

@@ -11,7 +11,8 @@ use std::fs;
 use std::io::Write;
 use std::process::ExitCode;
 
-/// Write docs/precision.md: for every kernel, quality and format the allowed error, why, and the measured one
+/// Write docs/precision.md: for every kernel, quality and format the allowed error, why, and the
+/// measured one
 ///
 /// The errors are those of tests/vectors and the same on every machine. The costs, at the end, are
 /// measured on this one and not compared by --check.

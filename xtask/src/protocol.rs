@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 /// The names of the kinds, for messages.
 const KINDS: &str = "ray_plane, ray_sphere, any_hit, light_sample, shade, offset or quantise";
 
-/// The kit's answer to a request: `{"id", "out"}`, or `{"id", "unsupported"}`. Keys it does not know are
-/// ignored.
+/// The kit's answer to a request: `{"id", "out"}`, or `{"id", "unsupported"}`. Keys it does not
+/// know are ignored.
 ///
 /// # Errors
 /// If the request is malformed: which key, its value, and what it should be.

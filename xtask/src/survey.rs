@@ -81,7 +81,8 @@ pub fn failing<'a>(judged: &'a [Judged]) -> BTreeSet<&'a str> {
         .collect()
 }
 
-/// The largest errors of the cases that do not fail, and how many decisions are wrong in all of them.
+/// The largest errors of the cases that do not fail, and how many decisions are wrong in all of
+/// them.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Measured {
     /// How many cases there are.
@@ -124,7 +125,8 @@ impl Measured {
         })
     }
 
-    /// The measured error in the unit of the allowed one, rounded up: what the allowed one could be.
+    /// The measured error in the unit of the allowed one, rounded up: what the allowed one could
+    /// be.
     pub fn could_be(&self, allowed: Allowed) -> Option<Allowed> {
         let stricter = match allowed {
             Allowed::Exact | Allowed::CorrectlyRounded => return None,

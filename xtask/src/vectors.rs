@@ -11,7 +11,8 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Write the test vectors: one file of JSON Lines for each kind of kernel, each case with its exact truth
+/// Write the test vectors: one file of JSON Lines for each kind of kernel, each case with its exact
+/// truth
 ///
 /// The files are the same on every machine. docs/protocol.md describes their format.
 #[derive(clap::Args)]
