@@ -17,7 +17,7 @@ use serde::Serialize;
 /// true picture is that of the scene at its place.
 const EXPONENTS: std::ops::RangeInclusive<i32> = 0..=8;
 
-/// Wrong bytes of a picture of 600 x 400 pixels, in the ways of [`WAYS`].
+/// Wrong bytes of a picture of 600 x 400 pixels, in the order of the table.
 #[derive(Debug, Serialize)]
 pub struct Row {
     /// By how much the scene is moved along each axis.
