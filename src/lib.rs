@@ -22,6 +22,17 @@
 //! Every kernel is written once over [`Real`]; `f32` and `f64` ([`Float`]) use glam's vectors, and
 //! [`DoubleDouble`] is the truth for pictures.
 //!
+//! # Beyond the lab
+//!
+//! | what | item |
+//! |---|---|
+//! | how well kernels compute: textbook, stable, one precision up | [`Quality`] |
+//! | every known way for a shadow ray to leave its surface | [`Shadow`] |
+//! | the default for pictures: relative to the camera, shadows without epsilon | [`Relative`], [`Lighting`] |
+//! | SIMD packets and threads, the same bits at every level | [`Engine`], [`Level`] |
+//! | what happens at every pixel | [`Survey`], [`Relative::follow`] |
+//! | allowed errors, and kernels to judge others by | [`conformance`] |
+//!
 //! # Figure 3(c) in ten lines
 //!
 //! ```
