@@ -35,7 +35,8 @@ pub struct Args {
 /// If the vectors cannot be read or the file not be written.
 pub fn run(args: &Args) -> Result<ExitCode> {
     let root = workspace::root()?;
-    let errors = document::errors(&root.join("tests").join("vectors")).map_err(Error::new)?;
+    let vectors = root.join("tests").join("vectors");
+    let errors = document::errors(&vectors).map_err(Error::new)?;
     let path = root.join("docs").join("precision.md");
     if args.check {
         let text = fs::read_to_string(&path).unwrap_or_default();
@@ -49,7 +50,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         ))?;
         return Ok(ExitCode::from(1));
     }
-    let text = errors + document::COSTS + &document::costs();
+    let costs = document::costs(&vectors).map_err(Error::new)?;
+    let text = errors + document::COSTS + &costs;
     let mut file = WholeFile::create(&path)?;
     file.write(|file| file.write_all(text.as_bytes()))?;
     file.keep()?;
