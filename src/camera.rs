@@ -55,13 +55,30 @@ impl<S: Scalar> PerspectiveCamera<S> {
     /// one, both from 0 to 1. Its direction is a unit vector.
     #[inline(always)]
     pub fn ray<R: Real<Scalar = S>>(&self, sx: R, sy: R) -> Ray<R> {
+        self.ray_along(self.across(sx) - self.down(sy))
+    }
+
+    /// From the camera to the point at `sx` of the viewport's upper edge: a column's share of a
+    /// ray.
+    #[inline(always)]
+    pub(crate) fn across<R: Real<Scalar = S>>(&self, sx: R) -> R::Vector {
         let token = sx.token();
-        let across = R::Vector::splat(token, self.width) * sx;
-        let down = R::Vector::splat(token, self.height) * sy;
-        let through = R::Vector::splat(token, self.top_left) + across - down;
+        R::Vector::splat(token, &self.top_left) + R::Vector::splat(token, &self.width) * sx
+    }
+
+    /// From the point at `sy` of the viewport's left edge to its upper end: what a row takes from a
+    /// ray.
+    #[inline(always)]
+    pub(crate) fn down<R: Real<Scalar = S>>(&self, sy: R) -> R::Vector {
+        R::Vector::splat(sy.token(), &self.height) * sy
+    }
+
+    /// The ray in a direction of any length.
+    #[inline(always)]
+    pub(crate) fn ray_along<R: Real<Scalar = S>>(&self, direction: R::Vector) -> Ray<R> {
         Ray {
-            origin: R::Vector::splat(token, self.position),
-            direction: through.normalized(),
+            origin: R::Vector::splat(direction.x().token(), &self.position),
+            direction: direction.normalized(),
         }
     }
 }

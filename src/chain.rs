@@ -6,17 +6,38 @@ use crate::quality::Quality;
 use crate::real::{Real, Scalar};
 use crate::relative::Relative;
 use crate::scene::Scene;
+use crate::vector::Vector;
 
 /// A scene, a camera and an integrator, ready for rays. There are two: the lab's, [`LabChain`], and
 /// the kit's own, [`Relative`].
 pub trait Chain<S: Scalar>: Sync {
     /// Where a column or row of pixels is, the `index`-th of `count`, as
-    /// [`radiance`](Self::radiance) takes it.
+    /// [`across`](Self::across) and [`down`](Self::down) take it.
     fn coordinate(index: u32, count: u32) -> S;
+
+    /// A column's share of the way from the camera to a point of the viewport.
+    fn across<R: Real<Scalar = S>>(&self, column: R) -> R::Vector;
+
+    /// A row's share of it: their sum is the direction of the pixel's ray, of any length.
+    fn down<R: Real<Scalar = S>>(&self, row: R) -> R::Vector;
+
+    /// What the objects send back along a direction, a linear colour, and in which lanes there is
+    /// an object; `None` where there is none in any.
+    fn reflected<R: Real<Scalar = S>>(&self, direction: R::Vector) -> Option<(R::Mask, R::Vector)>;
+
+    /// The linear colour seen where there is no object.
+    fn background(&self) -> S::Vector;
 
     /// The radiance, a linear colour, at a point of the picture given by the coordinates of its
     /// column and its row.
-    fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector;
+    #[inline(always)]
+    fn radiance<R: Real<Scalar = S>>(&self, column: R, row: R) -> R::Vector {
+        let background = R::Vector::splat(column.token(), &self.background());
+        match self.reflected::<R>(self.across(column) + self.down(row)) {
+            None => background,
+            Some((mask, reflected)) => R::Vector::select(mask, reflected, background),
+        }
+    }
 
     /// Which of the two it is.
     fn kind(&self) -> ChainKind<'_, S>;
@@ -60,9 +81,23 @@ impl<S: Scalar> Chain<S> for LabChain<'_, S> {
     }
 
     #[inline(always)]
-    fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector {
+    fn across<R: Real<Scalar = S>>(&self, column: R) -> R::Vector {
+        self.camera.across(column)
+    }
+
+    #[inline(always)]
+    fn down<R: Real<Scalar = S>>(&self, row: R) -> R::Vector {
+        -self.camera.down(row)
+    }
+
+    #[inline(always)]
+    fn reflected<R: Real<Scalar = S>>(&self, direction: R::Vector) -> Option<(R::Mask, R::Vector)> {
         self.integrator
-            .radiance(self.scene, &self.camera.ray(across, down))
+            .reflected(self.scene, &self.camera.ray_along::<R>(direction))
+    }
+
+    fn background(&self) -> S::Vector {
+        self.scene.background()
     }
 
     fn kind(&self) -> ChainKind<'_, S> {

@@ -15,8 +15,9 @@ impl Film {
     /// The byte of one component of radiance, as a whole number from 0 to 255. NaN becomes 0.
     ///
     /// It is `floor(255 x)` of the exact product, not of the rounded one: in `f64` those differ for
-    /// 143 of the 256 values k/255. So 255 x is taken as the rounded sum 256 x - x and its exact
-    /// error (Dekker's fast two-sum), which decides where the sum is a whole number.
+    /// 143 of the 256 values k/255. The rounded product may be a whole number w just above the
+    /// exact one: where `256 x - w < x`. Both sides are exact: the difference has no more digits
+    /// than x (Sterbenz's lemma), or w is the rounded product itself (Dekker's fast two-sum).
     #[inline(always)]
     pub fn byte<R: Real>(self, x: R) -> R {
         let (zero, one) = (x.constant(0.0), x.constant(1.0));
@@ -26,10 +27,8 @@ impl Film {
             Film::Wrap => x,
         };
         let scaled = x * x.constant(256.0);
-        let product = scaled - x;
-        let error = (scaled - product) - x;
-        let whole = product.trunc();
-        let rounded_up = error.lt(zero) & product.le(whole);
+        let whole = (scaled - x).trunc();
+        let rounded_up = (scaled - whole).lt(x);
         let level = R::select(rounded_up, whole - one, whole);
         match self {
             Film::Clamp => level,

@@ -51,18 +51,29 @@ impl Integrator {
     /// The radiance along a ray: a linear colour; the background's where nothing is hit.
     #[inline(always)]
     pub fn radiance<R: Real>(self, scene: &Scene<R::Scalar>, ray: &Ray<R>) -> R::Vector {
-        let zero = ray.origin.x().constant(0.0);
-        let background = R::Vector::splat(zero.token(), scene.background());
-        let span = Span::new(zero, R::splat(zero.token(), scene.t_max()));
-        let hit = scene.intersect(ray, &span, self.quality());
-        if !hit.mask.any() {
-            return background;
+        let background = R::Vector::splat(ray.origin.x().token(), &scene.background());
+        match self.reflected(scene, ray) {
+            None => background,
+            Some((mask, reflected)) => R::Vector::select(mask, reflected, background),
         }
-        let radiance = match self {
+    }
+
+    /// What the objects send back along a ray, and in which lanes there is one; `None` where there
+    /// is none in any.
+    #[inline(always)]
+    pub(crate) fn reflected<R: Real>(
+        self,
+        scene: &Scene<R::Scalar>,
+        ray: &Ray<R>,
+    ) -> Option<(R::Mask, R::Vector)> {
+        let zero = ray.origin.x().constant(0.0);
+        let span = Span::new(zero, R::splat(zero.token(), scene.t_max()));
+        let hit = scene.nearest(ray, &span, self.quality())?;
+        let reflected = match self {
             Integrator::RayCast(_) => hit.color * cosine::<R>(hit.normal, -ray.direction),
             Integrator::DirectLighting(direct) => direct.radiance(scene, &hit),
         };
-        R::Vector::select(hit.mask, radiance, background)
+        Some((hit.mask, reflected))
     }
 }
 

@@ -75,9 +75,9 @@ impl<S: Scalar> PointLight<S> {
         quality: Quality,
     ) -> LightSample<R> {
         let token = point.x().token();
-        let position = R::Vector::splat(token, self.position);
+        let position = R::Vector::splat(token, &self.position);
         let (color, power) = (
-            R::Vector::splat(token, self.color),
+            R::Vector::splat(token, &self.color),
             R::splat(token, self.power),
         );
         let one = power.constant(1.0);
@@ -97,7 +97,7 @@ impl<S: Scalar> PointLight<S> {
         let radiance = match quality {
             Quality::Textbook => color * (power / square),
             Quality::Stable | Quality::Wide => {
-                let [coarse, fine] = self.halves.map(|half| R::Vector::splat(token, half));
+                let [coarse, fine] = self.halves.map(|half| R::Vector::splat(token, &half));
                 let reciprocal = reciprocal * stretch.reciprocal;
                 fine * (reciprocal / square) * (coarse * reciprocal)
             }

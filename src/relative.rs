@@ -75,23 +75,10 @@ struct Nearest<R: Real> {
 }
 
 impl<R: Real> Nearest<R> {
+    /// The nearer of this and another.
     #[inline(always)]
-    fn none(direction: R::Vector) -> Self {
-        let zero = direction.x().constant(0.0);
-        let mask = R::mask(zero.token(), false);
-        Self {
-            mask,
-            t: zero,
-            normal: direction,
-            slope: zero,
-            number: zero,
-            color: direction,
-        }
-    }
-
-    /// Keeps the nearer of this and another.
-    #[inline(always)]
-    fn or_nearer(self, other: Self) -> Self {
+    fn or_nearer(self, other: Option<Self>) -> Self {
+        let Some(other) = other else { return self };
         let nearer = other.mask & (!self.mask | other.t.lt(self.t));
         Self {
             mask: self.mask | nearer,
@@ -105,71 +92,49 @@ impl<R: Real> Nearest<R> {
 }
 
 impl<S: Scalar> Plane<S> {
-    /// Where a ray from the camera meets the plane.
+    /// Where a ray from the camera meets the plane; `None` if no lane does.
     #[inline(always)]
-    fn meet<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Nearest<R> {
+    fn meet<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Option<Nearest<R>> {
         let token = square.token();
-        let normal = R::Vector::splat(token, self.normal);
+        let normal = R::Vector::splat(token, &self.normal);
         let slope = -normal.dot(direction);
         let reached = (slope * slope * R::splat(token, self.reach)).ge(square);
-        Nearest {
-            mask: slope.gt(slope.constant(0.0)) & reached,
+        let mask = slope.gt(slope.constant(0.0)) & reached;
+        if !mask.any() {
+            return None;
+        }
+        Some(Nearest {
+            mask,
             t: -R::splat(token, self.height) / slope,
             normal,
             slope,
             number: R::splat(token, self.number),
-            color: R::Vector::splat(token, self.color),
-        }
+            color: R::Vector::splat(token, &self.color),
+        })
     }
 }
 
 impl<S: Scalar> Relative<S> {
-    /// What the camera sees along a direction.
+    /// What the camera sees along a direction; `None` where no lane meets anything.
     #[inline(always)]
-    fn nearest<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Nearest<R> {
+    fn nearest<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Option<Nearest<R>> {
         let t_max_squared = R::splat(square.token(), self.t_max_squared);
-        let mut nearest = Nearest::none(direction);
+        let mut nearest: Option<Nearest<R>> = None;
         for sphere in &self.spheres {
-            if let Some(hit) = sphere.meet(direction, square, t_max_squared) {
-                nearest = nearest.or_nearer(hit);
-            }
+            let hit = sphere.meet(direction, square, t_max_squared);
+            nearest = match nearest {
+                None => hit,
+                Some(nearest) => Some(nearest.or_nearer(hit)),
+            };
         }
         for plane in &self.planes {
-            nearest = nearest.or_nearer(plane.meet(direction, square));
+            let hit = plane.meet(direction, square);
+            nearest = match nearest {
+                None => hit,
+                Some(nearest) => Some(nearest.or_nearer(hit)),
+            };
         }
         nearest
-    }
-
-    /// The direction through a point of the picture.
-    #[inline(always)]
-    fn direction<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector {
-        let token = across.token();
-        R::Vector::splat(token, self.forward) - R::Vector::splat(token, self.up) * down
-            + R::Vector::splat(token, self.right) * across
-    }
-
-    /// The radiance along a direction.
-    #[inline(always)]
-    fn radiance_along<R: Real<Scalar = S>>(&self, direction: R::Vector) -> R::Vector {
-        let token = direction.x().token();
-        let background = R::Vector::splat(token, self.background);
-        let square = direction.dot(direction);
-        let hit = self.nearest(direction, square);
-        if !hit.mask.any() {
-            return background;
-        }
-        let radiance = match &self.lights {
-            None => hit.color * (hit.slope * (square.constant(1.0) / square).sqrt()),
-            Some(lights) => {
-                let zero = square.constant(0.0);
-                let mut sum = R::Vector::new(zero, zero, zero);
-                for light in lights {
-                    sum = light.add(sum, &hit, direction);
-                }
-                sum
-            }
-        };
-        R::Vector::select(hit.mask, radiance, background)
     }
 }
 
@@ -188,7 +153,35 @@ impl<S: Scalar> Chain<S> for Relative<S> {
     }
 
     #[inline(always)]
-    fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector {
-        self.radiance_along::<R>(self.direction::<R>(across, down))
+    fn across<R: Real<Scalar = S>>(&self, column: R) -> R::Vector {
+        R::Vector::splat(column.token(), &self.right) * column
+    }
+
+    #[inline(always)]
+    fn down<R: Real<Scalar = S>>(&self, row: R) -> R::Vector {
+        let token = row.token();
+        R::Vector::splat(token, &self.forward) - R::Vector::splat(token, &self.up) * row
+    }
+
+    #[inline(always)]
+    fn reflected<R: Real<Scalar = S>>(&self, direction: R::Vector) -> Option<(R::Mask, R::Vector)> {
+        let square = direction.dot(direction);
+        let hit = self.nearest(direction, square)?;
+        let reflected = match &self.lights {
+            None => hit.color * (hit.slope * (square.constant(1.0) / square).sqrt()),
+            Some(lights) => {
+                let zero = square.constant(0.0);
+                let mut sum = R::Vector::new(zero, zero, zero);
+                for light in lights {
+                    sum = light.add(sum, &hit, direction);
+                }
+                sum
+            }
+        };
+        Some((hit.mask, reflected))
+    }
+
+    fn background(&self) -> S::Vector {
+        self.background
     }
 }

@@ -132,17 +132,37 @@ impl<S: Scalar> Scene<S> {
         span: &Span<R>,
         quality: Quality,
     ) -> HitRecord<R> {
-        let mut nearest = HitRecord::none(ray);
+        match self.nearest(ray, span, quality) {
+            Some(hit) => hit,
+            None => HitRecord::none(ray),
+        }
+    }
+
+    /// The same; `None` where no lane hits anything.
+    #[inline(always)]
+    pub(crate) fn nearest<R: Real<Scalar = S>>(
+        &self,
+        ray: &Ray<R>,
+        span: &Span<R>,
+        quality: Quality,
+    ) -> Option<HitRecord<R>> {
+        let mut nearest = None;
         let mut number = 0.0;
         for sphere in &self.spheres {
-            nearest.keep_nearer(ray, span, quality, sphere, number);
+            HitRecord::keep_nearer(&mut nearest, ray, span, quality, sphere, number);
             number += 1.0;
         }
         for plane in &self.planes {
-            nearest.keep_nearer(ray, span, quality, plane, number);
+            HitRecord::keep_nearer(&mut nearest, ray, span, quality, plane, number);
             number += 1.0;
         }
-        nearest
+        let hit = nearest?;
+        let away = hit.normal.dot(ray.direction).gt(hit.distance.constant(0.0));
+        Some(HitRecord {
+            point: ray.point_at(hit.distance),
+            normal: R::Vector::select(away, -hit.normal, hit.normal),
+            ..hit
+        })
     }
 
     /// Whether there is any hit in the interval; stops at the first (clause 5.1).
@@ -235,10 +255,11 @@ impl<R: Real> HitRecord<R> {
         }
     }
 
-    /// Replaces this record where the ray meets `object` sooner.
+    /// Replaces the record where the ray meets `object` sooner. Point and facing side of the
+    /// normal are found once, at the end.
     #[inline(always)]
     fn keep_nearer<G: Shape<R::Scalar>>(
-        &mut self,
+        nearest: &mut Option<Self>,
         ray: &Ray<R>,
         span: &Span<R>,
         quality: Quality,
@@ -246,22 +267,32 @@ impl<R: Real> HitRecord<R> {
         number: f64,
     ) {
         let hit = object.shape.intersect(ray, span, quality);
-        let nearer = hit.mask & (!self.mask | hit.t.lt(self.distance));
+        let nearer = match nearest {
+            None => hit.mask,
+            Some(old) => hit.mask & (!old.mask | hit.t.lt(old.distance)),
+        };
         if !nearer.any() {
             return;
         }
-        let token = hit.t.token();
-        let point = ray.point_at(hit.t);
-        let outward = object.shape.normal_at::<R>(point);
-        let away = outward.dot(ray.direction).gt(hit.t.constant(0.0));
-        let normal = R::Vector::select(away, -outward, outward);
-        let color = R::Vector::splat(token, object.color);
-        self.mask = self.mask | nearer;
-        self.point = R::Vector::select(nearer, point, self.point);
-        self.normal = R::Vector::select(nearer, normal, self.normal);
-        self.distance = R::select(nearer, hit.t, self.distance);
-        self.object = R::select(nearer, hit.t.constant(number), self.object);
-        self.color = R::Vector::select(nearer, color, self.color);
+        let new = Self {
+            mask: nearer,
+            point: ray.origin,
+            normal: object.shape.normal_at::<R>(ray.point_at(hit.t)),
+            distance: hit.t,
+            object: hit.t.constant(number),
+            color: R::Vector::splat(hit.t.token(), &object.color),
+        };
+        *nearest = Some(match nearest {
+            None => new,
+            Some(old) => Self {
+                mask: old.mask | nearer,
+                point: old.point,
+                normal: R::Vector::select(nearer, new.normal, old.normal),
+                distance: R::select(nearer, new.distance, old.distance),
+                object: R::select(nearer, new.object, old.object),
+                color: R::Vector::select(nearer, new.color, old.color),
+            },
+        });
     }
 }
 

@@ -21,15 +21,18 @@ pub trait Vector<R: Real<Vector = Self>>:
     /// A vector from its three components.
     fn new(x: R, y: R, z: R) -> Self;
     /// The first component (of a colour: red).
-    fn x(self) -> R;
+    fn x(&self) -> R;
     /// The second component (of a colour: green).
-    fn y(self) -> R;
+    fn y(&self) -> R;
     /// The third component (of a colour: blue).
-    fn z(self) -> R;
+    fn z(&self) -> R;
 
     /// The same vector in every lane.
+    ///
+    /// By reference, like the components: by value a `glam::Vec3` travels as one integer of 96
+    /// bits, and taking that apart costs a packet more than loading it.
     #[inline(always)]
-    fn splat(token: R::Token, value: <R::Scalar as Real>::Vector) -> Self {
+    fn splat(token: R::Token, value: &<R::Scalar as Real>::Vector) -> Self {
         Self::new(
             R::splat(token, value.x()),
             R::splat(token, value.y()),
@@ -42,7 +45,7 @@ pub trait Vector<R: Real<Vector = Self>>:
     fn constant(token: R::Token, [x, y, z]: [f64; 3]) -> Self {
         Self::splat(
             token,
-            Vector::new(
+            &Vector::new(
                 Scalar::from_f64(x),
                 Scalar::from_f64(y),
                 Scalar::from_f64(z),
@@ -117,17 +120,17 @@ macro_rules! glam_vector {
             }
 
             #[inline(always)]
-            fn x(self) -> $float {
+            fn x(&self) -> $float {
                 self.x
             }
 
             #[inline(always)]
-            fn y(self) -> $float {
+            fn y(&self) -> $float {
                 self.y
             }
 
             #[inline(always)]
-            fn z(self) -> $float {
+            fn z(&self) -> $float {
                 self.z
             }
         }
@@ -155,17 +158,17 @@ impl<R: Real<Vector = Self>> Vector<R> for Triple<R> {
     }
 
     #[inline(always)]
-    fn x(self) -> R {
+    fn x(&self) -> R {
         self.0
     }
 
     #[inline(always)]
-    fn y(self) -> R {
+    fn y(&self) -> R {
         self.1
     }
 
     #[inline(always)]
-    fn z(self) -> R {
+    fn z(&self) -> R {
         self.2
     }
 }

@@ -1,23 +1,25 @@
 //! What happens at one pixel of the ray-relative chain, decided by the kernels that draw it.
 
 use super::Relative;
+use crate::chain::Chain;
 use crate::real::Scalar;
 use crate::survey::Pixel;
 use crate::vector::Vector;
 
 impl<S: Scalar> Relative<S> {
-    /// What happens at a point of the picture, given as
-    /// [`radiance`](crate::Chain::radiance) takes it.
+    /// What happens at a point of the picture, given by the coordinates of its column and its row.
     ///
     /// No surface is ever asked whether it blocks its own light, so `blocked_by_itself` is false. A
     /// light that a surface separates from the camera was left out once a frame; here it is one
     /// that the surface does not face. The level is that of the radiance.
     pub fn follow(&self, across: S, down: S) -> Pixel {
-        let direction = self.direction::<S>(across, down);
-        let hit = self.nearest(direction, direction.dot(direction));
+        let direction = Chain::across::<S>(self, across) + Chain::down::<S>(self, down);
         let mut pixel = Pixel {
-            level: Pixel::level_of::<S>(self.radiance_along::<S>(direction)),
+            level: Pixel::level_of::<S>(self.radiance(across, down)),
             ..Pixel::default()
+        };
+        let Some(hit) = self.nearest::<S>(direction, direction.dot(direction)) else {
+            return pixel;
         };
         if !hit.mask {
             return pixel;

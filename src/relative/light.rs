@@ -52,13 +52,13 @@ impl<S: Scalar> Light<S> {
     #[inline(always)]
     pub fn height<R: Real<Scalar = S>>(&self, hit: &Nearest<R>) -> R {
         let token = hit.t.token();
-        let position = R::Vector::splat(token, self.position);
+        let position = R::Vector::splat(token, &self.position);
         let mut height = hit.normal.dot(position) + hit.t * hit.slope;
         for &(number, constant) in &self.heights {
             height = R::select(hit.is_number(number), R::splat(token, constant), height);
         }
         for near in &self.near {
-            let above = hit.normal.dot(R::Vector::splat(token, near.to_light));
+            let above = hit.normal.dot(R::Vector::splat(token, &near.to_light));
             let above = above - R::splat(token, near.radius);
             height = R::select(hit.is_number(near.number), above, height);
         }
@@ -83,11 +83,11 @@ impl<S: Scalar> Light<S> {
             return sum;
         }
         let point = direction * hit.t;
-        let to_light = R::Vector::splat(token, self.position) - point;
+        let to_light = R::Vector::splat(token, &self.position) - point;
         let square = to_light.dot(to_light);
         let visible = facing & !self.blocked(hit, direction, point, square);
         let y = (zero.constant(1.0) / square).sqrt();
-        let intensity = R::Vector::splat(token, self.intensity);
+        let intensity = R::Vector::splat(token, &self.intensity);
         let lit = sum + hit.color * intensity * (height * y * (y * y));
         R::Vector::select(visible, lit, sum)
     }
@@ -112,7 +112,7 @@ impl<S: Scalar> Light<S> {
         let token = square.token();
         let mut blocked = R::mask(token, false);
         for &edge in &self.edges {
-            let beyond = R::Vector::splat(token, edge).dot(direction);
+            let beyond = R::Vector::splat(token, &edge).dot(direction);
             blocked = blocked | beyond.gt(beyond.constant(0.0));
         }
         for occluder in &self.occluders {
@@ -132,13 +132,16 @@ impl<S: Scalar> Occluder<S> {
     #[inline(always)]
     fn blocks<R: Real<Scalar = S>>(&self, point: R::Vector, square: R) -> R::Mask {
         let token = square.token();
-        let to_point = point - R::Vector::splat(token, self.center);
-        let to_light = R::Vector::splat(token, self.to_light);
-        let product = to_point.dot(to_light);
+        let to_point = point - R::Vector::splat(token, &self.center);
+        let to_light = R::Vector::splat(token, &self.to_light);
         let moment = to_point.cross(to_light);
         let near = moment
             .dot(moment)
             .le(R::splat(token, self.radius_squared) * square);
+        if !near.any() {
+            return near;
+        }
+        let product = to_point.dot(to_light);
         near & product.lt(to_point.dot(to_point))
             & product.lt(R::splat(token, self.to_light_squared))
     }

@@ -31,7 +31,7 @@ impl<S: Scalar> Sphere<S> {
     ) -> Option<Nearest<R>> {
         let token = square.token();
         let zero = square.constant(0.0);
-        let center = R::Vector::splat(token, self.center);
+        let center = R::Vector::splat(token, &self.center);
         let outside = self.power.gt(S::from_f64(0.0));
         let ahead = center.dot(direction);
         let moment = center.cross(direction);
@@ -56,7 +56,7 @@ impl<S: Scalar> Sphere<S> {
             normal: (direction * t - center) * curvature,
             slope: root * curvature.abs(),
             number: R::splat(token, self.number),
-            color: R::Vector::splat(token, self.color),
+            color: R::Vector::splat(token, &self.color),
         })
     }
 }

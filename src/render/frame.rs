@@ -21,11 +21,13 @@ pub struct Frame<'a, S: Scalar> {
 pub trait Develop<S: Scalar> {
     /// What is stored for a pixel.
     type Pixel: Copy;
-    /// How many pixels [`put`](Develop::put) may write beyond its own.
+    /// How many pixels [`store`](Develop::store) may write beyond its own.
     const SPILL: usize;
 
+    /// The components to be stored.
+    fn develop<R: Lanes<Scalar = S>>(&self, radiance: R::Vector) -> [R; 3];
     /// Writes the lanes' pixels to the start of a slice that has room for them and the spill.
-    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [Self::Pixel]);
+    fn store<R: Lanes<Scalar = S>>(components: [R; 3], pixels: &mut [Self::Pixel]);
 }
 
 impl<S: Scalar> Develop<S> for Film {
@@ -33,9 +35,13 @@ impl<S: Scalar> Develop<S> for Film {
     const SPILL: usize = 4;
 
     #[inline(always)]
-    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [[u8; 3]]) {
+    fn develop<R: Lanes<Scalar = S>>(&self, radiance: R::Vector) -> [R; 3] {
         let [red, green, blue] = radiance.to_array();
-        let rgb = [self.byte(red), self.byte(green), self.byte(blue)];
+        [self.byte(red), self.byte(green), self.byte(blue)]
+    }
+
+    #[inline(always)]
+    fn store<R: Lanes<Scalar = S>>(rgb: [R; 3], pixels: &mut [[u8; 3]]) {
         R::store_rgb(rgb, pixels.as_flattened_mut());
     }
 }
@@ -49,9 +55,14 @@ impl<S: Scalar> Develop<S> for Linear {
     const SPILL: usize = 0;
 
     #[inline(always)]
-    fn put<R: Lanes<Scalar = S>>(&self, radiance: R::Vector, pixels: &mut [S::Vector]) {
+    fn develop<R: Lanes<Scalar = S>>(&self, radiance: R::Vector) -> [R; 3] {
+        radiance.to_array()
+    }
+
+    #[inline(always)]
+    fn store<R: Lanes<Scalar = S>>(components: [R; 3], pixels: &mut [S::Vector]) {
         let mut lanes = [[S::default(); 32]; 3];
-        for (lanes, component) in lanes.iter_mut().zip(radiance.to_array()) {
+        for (lanes, component) in lanes.iter_mut().zip(components) {
             component.store(lanes);
         }
         for (i, pixel) in pixels[..R::LANES].iter_mut().enumerate() {
@@ -95,8 +106,8 @@ impl<'a, S: Scalar> Frame<'a, S> {
 
     /// The rows of one of the two chains.
     ///
-    /// The last packet of a row, and a film's spill, write beyond the row: into the next row, which
-    /// is computed after it, or where there is none into a row of their own.
+    /// Each row is computed in a buffer of its own, where the last packet and a film's spill may
+    /// write beyond its end. That also tells the compiler that no pixel is part of the scene.
     #[inline(always)]
     fn rows_of<R: Lanes<Scalar = S>, C: Chain<S>, D: Develop<S>>(
         &self,
@@ -107,22 +118,27 @@ impl<'a, S: Scalar> Frame<'a, S> {
         pixels: &mut [D::Pixel],
     ) {
         let width = self.size.width() as usize;
-        let room = width.next_multiple_of(R::LANES) + D::SPILL;
-        let Some(&blank) = pixels.first() else { return };
-        let mut spare = vec![blank; room];
-        for (row, start) in (first..).zip((0..pixels.len()).step_by(width)) {
-            let down = R::splat(token, C::coordinate(row, self.size.height()));
-            let rest = &mut pixels[start..];
-            let has_room = rest.len() >= room;
-            let target = if has_room { &mut *rest } else { &mut spare };
-            for column in (0..width).step_by(R::LANES) {
-                let across = R::load(token, &self.columns[column..]);
-                let radiance = chain.radiance(across, down);
-                develop.put::<R>(radiance, &mut target[column..]);
+        let Some(&pixel) = pixels.first() else { return };
+        let mut buffer = vec![pixel; width.next_multiple_of(R::LANES) + D::SPILL];
+        let packets = width.div_ceil(R::LANES);
+        let mut columns = Vec::with_capacity(packets);
+        for lanes in self.columns.chunks_exact(R::LANES).take(packets) {
+            columns.push(chain.across::<R>(R::load(token, lanes)));
+        }
+        let background = R::Vector::splat(token, &chain.background());
+        let blank = develop.develop::<R>(background);
+        for (row, pixels) in (first..).zip(pixels.chunks_exact_mut(width)) {
+            let down = chain.down(R::splat(token, C::coordinate(row, self.size.height())));
+            for (&across, start) in columns.iter().zip((0..).step_by(R::LANES)) {
+                let components = match chain.reflected::<R>(across + down) {
+                    None => blank,
+                    Some((mask, reflected)) => {
+                        develop.develop::<R>(R::Vector::select(mask, reflected, background))
+                    }
+                };
+                D::store::<R>(components, &mut buffer[start..]);
             }
-            if !has_room {
-                rest[..width].copy_from_slice(&spare[..width]);
-            }
+            pixels.copy_from_slice(&buffer[..width]);
         }
     }
 }

@@ -71,8 +71,8 @@ impl<S: Scalar> Shape<S> for Plane<S> {
     ) -> Hit<R> {
         let token = ray.origin.x().token();
         let (point, normal) = (
-            R::Vector::splat(token, self.point),
-            R::Vector::splat(token, self.normal),
+            R::Vector::splat(token, &self.point),
+            R::Vector::splat(token, &self.normal),
         );
         match quality {
             Quality::Textbook | Quality::Stable => {
@@ -94,8 +94,8 @@ impl<S: Scalar> Shape<S> for Plane<S> {
     #[inline(always)]
     fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R> {
         let token = point.x().token();
-        let normal = R::Vector::splat(token, self.unit_normal);
-        let offset = point - R::Vector::splat(token, self.point);
+        let normal = R::Vector::splat(token, &self.unit_normal);
+        let offset = point - R::Vector::splat(token, &self.point);
         let projected = point - normal * offset.dot(normal);
         let [along, last] = [8.0, 1.0].map(|n| point.x().constant(gamma::<S>(n)));
         let terms = offset.abs().dot(normal.abs());
@@ -108,6 +108,6 @@ impl<S: Scalar> Shape<S> for Plane<S> {
 
     #[inline(always)]
     fn normal_at<R: Real<Scalar = S>>(&self, point: R::Vector) -> R::Vector {
-        R::Vector::splat(point.x().token(), self.unit_normal)
+        R::Vector::splat(point.x().token(), &self.unit_normal)
     }
 }

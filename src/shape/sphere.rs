@@ -104,7 +104,7 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
         let token = ray.origin.x().token();
         let (origin, direction) = (ray.origin, ray.direction);
         let (center, radius) = (
-            R::Vector::splat(token, self.center),
+            R::Vector::splat(token, &self.center),
             R::splat(token, self.radius),
         );
         match quality {
@@ -121,7 +121,7 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
     #[inline(always)]
     fn project<R: Real<Scalar = S>>(&self, point: R::Vector) -> Projection<R> {
         let token = point.x().token();
-        let center = R::Vector::splat(token, self.center);
+        let center = R::Vector::splat(token, &self.center);
         let from_center = point - center;
         let distance = from_center.dot(from_center).sqrt();
         let from_center = from_center * (R::splat(token, self.radius) / distance);
@@ -135,6 +135,6 @@ impl<S: Scalar> Shape<S> for Sphere<S> {
 
     #[inline(always)]
     fn normal_at<R: Real<Scalar = S>>(&self, point: R::Vector) -> R::Vector {
-        (point - R::Vector::splat(point.x().token(), self.center)).normalized()
+        (point - R::Vector::splat(point.x().token(), &self.center)).normalized()
     }
 }
