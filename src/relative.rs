@@ -61,55 +61,62 @@ struct Plane<S: Scalar> {
     color: S::Vector,
 }
 
-/// What a ray from the camera meets first.
+/// Where a ray from the camera meets a surface.
 #[derive(Clone, Copy)]
-struct Nearest<R: Real> {
+struct Meeting<R: Real> {
     mask: R::Mask,
     t: R,
-    /// The unit normal on the camera's side.
-    normal: R::Vector,
     /// `-dot(normal, direction)`, above 0.
     slope: R,
     number: R,
+}
+
+/// What a ray from the camera meets first.
+#[derive(Clone, Copy)]
+struct Nearest<R: Real> {
+    meeting: Meeting<R>,
+    /// The unit normal on the camera's side.
+    normal: R::Vector,
     color: R::Vector,
 }
 
-impl<R: Real> Nearest<R> {
+impl<R: Real> Meeting<R> {
     /// The nearer of this and another.
     #[inline(always)]
-    fn or_nearer(self, other: Option<Self>) -> Self {
-        let Some(other) = other else { return self };
+    fn or_nearer(self, other: Self) -> Self {
         let nearer = other.mask & (!self.mask | other.t.lt(self.t));
         Self {
             mask: self.mask | nearer,
             t: R::select(nearer, other.t, self.t),
-            normal: R::Vector::select(nearer, other.normal, self.normal),
             slope: R::select(nearer, other.slope, self.slope),
             number: R::select(nearer, other.number, self.number),
-            color: R::Vector::select(nearer, other.color, self.color),
         }
+    }
+
+    /// The lanes that meet the object of this number.
+    #[inline(always)]
+    fn is_with(&self, number: R::Scalar) -> R::Mask {
+        let number = R::splat(self.number.token(), number);
+        self.number.ge(number) & self.number.le(number)
     }
 }
 
 impl<S: Scalar> Plane<S> {
     /// Where a ray from the camera meets the plane; `None` if no lane does.
     #[inline(always)]
-    fn meet<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Option<Nearest<R>> {
+    fn meet<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Option<Meeting<R>> {
         let token = square.token();
-        let normal = R::Vector::splat(token, &self.normal);
-        let slope = -normal.dot(direction);
+        let slope = -R::Vector::splat(token, &self.normal).dot(direction);
         let reached = (slope * slope * R::splat(token, self.reach)).ge(square);
         let mask = slope.gt(slope.constant(0.0)) & reached;
         if !mask.any() {
             return None;
         }
-        Some(Nearest {
+        Some(Meeting {
             mask,
             t: -R::splat(token, self.height) / slope,
-            normal,
             slope,
             number: R::splat(token, self.number),
-            color: R::Vector::splat(token, &self.color),
         })
     }
 }
@@ -118,23 +125,77 @@ impl<S: Scalar> Relative<S> {
     /// What the camera sees along a direction; `None` where no lane meets anything.
     #[inline(always)]
     fn nearest<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Option<Nearest<R>> {
-        let t_max_squared = R::splat(square.token(), self.t_max_squared);
-        let mut nearest: Option<Nearest<R>> = None;
-        for sphere in &self.spheres {
-            let hit = sphere.meet(direction, square, t_max_squared);
-            nearest = match nearest {
-                None => hit,
-                Some(nearest) => Some(nearest.or_nearer(hit)),
-            };
+        let token = square.token();
+        let t_max_squared = R::splat(token, self.t_max_squared);
+        let mut nearest = Meeting {
+            mask: R::mask(token, false),
+            t: square,
+            slope: square,
+            number: square,
+        };
+        let (mut first, mut last) = (usize::MAX, 0);
+        for (index, sphere) in (0..).zip(&self.spheres) {
+            if let Some(meeting) = sphere.meet(direction, square, t_max_squared) {
+                nearest = nearest.or_nearer(meeting);
+                (first, last) = (first.min(index), index);
+            }
         }
-        for plane in &self.planes {
-            let hit = plane.meet(direction, square);
-            nearest = match nearest {
-                None => hit,
-                Some(nearest) => Some(nearest.or_nearer(hit)),
-            };
+        for (index, plane) in (self.spheres.len()..).zip(&self.planes) {
+            if let Some(meeting) = plane.meet(direction, square) {
+                nearest = nearest.or_nearer(meeting);
+                (first, last) = (first.min(index), index);
+            }
         }
-        nearest
+        if first > last {
+            return None;
+        }
+        let (mut normal, mut color) = self.surface::<R>(first, direction, nearest.t);
+        for index in first + 1..=last {
+            let here = nearest.is_with(self.number(index));
+            if here.any() {
+                let (its_normal, its_color) = self.surface::<R>(index, direction, nearest.t);
+                normal = R::Vector::select(here, its_normal, normal);
+                color = R::Vector::select(here, its_color, color);
+            }
+        }
+        Some(Nearest {
+            meeting: nearest,
+            normal,
+            color,
+        })
+    }
+
+    /// The number of a surface; spheres come before planes.
+    #[inline(always)]
+    fn number(&self, index: usize) -> S {
+        match self.spheres.get(index) {
+            Some(sphere) => sphere.number,
+            None => self.planes[index - self.spheres.len()].number,
+        }
+    }
+
+    /// The unit normal on the camera's side, and the colour, of a surface that is met at `t`.
+    #[inline(always)]
+    fn surface<R: Real<Scalar = S>>(
+        &self,
+        index: usize,
+        direction: R::Vector,
+        t: R,
+    ) -> (R::Vector, R::Vector) {
+        let token = t.token();
+        match self.spheres.get(index) {
+            Some(sphere) => (
+                sphere.normal(direction, t),
+                R::Vector::splat(token, &sphere.color),
+            ),
+            None => {
+                let plane = &self.planes[index - self.spheres.len()];
+                (
+                    R::Vector::splat(token, &plane.normal),
+                    R::Vector::splat(token, &plane.color),
+                )
+            }
+        }
     }
 }
 
@@ -168,7 +229,7 @@ impl<S: Scalar> Chain<S> for Relative<S> {
         let square = direction.dot(direction);
         let hit = self.nearest(direction, square)?;
         let reflected = match &self.lights {
-            None => hit.color * (hit.slope * (square.constant(1.0) / square).sqrt()),
+            None => hit.color * (hit.meeting.slope * (square.constant(1.0) / square).sqrt()),
             Some(lights) => {
                 let zero = square.constant(0.0);
                 let mut sum = R::Vector::new(zero, zero, zero);
@@ -178,7 +239,7 @@ impl<S: Scalar> Chain<S> for Relative<S> {
                 sum
             }
         };
-        Some((hit.mask, reflected))
+        Some((hit.meeting.mask, reflected))
     }
 
     fn background(&self) -> S::Vector {

@@ -21,10 +21,10 @@ impl<S: Scalar> Relative<S> {
         let Some(hit) = self.nearest::<S>(direction, direction.dot(direction)) else {
             return pixel;
         };
-        if !hit.mask {
+        if !hit.meeting.mask {
             return pixel;
         }
-        let object = hit.number.to_f64() as usize;
+        let object = hit.meeting.number.to_f64() as usize;
         pixel.object = Some(object);
         pixel.on_sphere = object < self.spheres.len();
         for light in self.lights.iter().flatten() {

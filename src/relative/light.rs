@@ -51,16 +51,20 @@ impl<S: Scalar> Light<S> {
     /// cancels; for a sphere near the light it is `dot(N, center to light) - radius`.
     #[inline(always)]
     pub fn height<R: Real<Scalar = S>>(&self, hit: &Nearest<R>) -> R {
-        let token = hit.t.token();
+        let token = hit.meeting.t.token();
         let position = R::Vector::splat(token, &self.position);
-        let mut height = hit.normal.dot(position) + hit.t * hit.slope;
+        let mut height = hit.normal.dot(position) + hit.meeting.t * hit.meeting.slope;
         for &(number, constant) in &self.heights {
-            height = R::select(hit.is_number(number), R::splat(token, constant), height);
+            height = R::select(
+                hit.meeting.is_with(number),
+                R::splat(token, constant),
+                height,
+            );
         }
         for near in &self.near {
             let above = hit.normal.dot(R::Vector::splat(token, &near.to_light));
             let above = above - R::splat(token, near.radius);
-            height = R::select(hit.is_number(near.number), above, height);
+            height = R::select(hit.meeting.is_with(near.number), above, height);
         }
         height
     }
@@ -75,14 +79,14 @@ impl<S: Scalar> Light<S> {
         hit: &Nearest<R>,
         direction: R::Vector,
     ) -> R::Vector {
-        let token = hit.t.token();
-        let zero = hit.t.constant(0.0);
+        let token = hit.meeting.t.token();
+        let zero = hit.meeting.t.constant(0.0);
         let height = self.height(hit);
-        let facing = hit.mask & height.gt(zero);
+        let facing = hit.meeting.mask & height.gt(zero);
         if !facing.any() {
             return sum;
         }
-        let point = direction * hit.t;
+        let point = direction * hit.meeting.t;
         let to_light = R::Vector::splat(token, &self.position) - point;
         let square = to_light.dot(to_light);
         let visible = facing & !self.blocked(hit, direction, point, square);
@@ -94,7 +98,7 @@ impl<S: Scalar> Light<S> {
 
     /// Whether something stands between the hit and the light.
     pub fn blocked_on_the_way(&self, hit: &Nearest<S>, direction: S::Vector) -> bool {
-        let point = direction * hit.t;
+        let point = direction * hit.meeting.t;
         let to_light = self.position - point;
         self.blocked(hit, direction, point, to_light.dot(to_light))
     }
@@ -116,7 +120,8 @@ impl<S: Scalar> Light<S> {
             blocked = blocked | beyond.gt(beyond.constant(0.0));
         }
         for occluder in &self.occluders {
-            blocked = blocked | (occluder.blocks(point, square) & !hit.is_number(occluder.number));
+            blocked =
+                blocked | (occluder.blocks(point, square) & !hit.meeting.is_with(occluder.number));
         }
         blocked
     }
@@ -144,14 +149,5 @@ impl<S: Scalar> Occluder<S> {
         let product = to_point.dot(to_light);
         near & product.lt(to_point.dot(to_point))
             & product.lt(R::splat(token, self.to_light_squared))
-    }
-}
-
-impl<R: Real> Nearest<R> {
-    /// The lanes that hit the object of this number.
-    #[inline(always)]
-    fn is_number(&self, number: R::Scalar) -> R::Mask {
-        let number = R::splat(self.number.token(), number);
-        self.number.ge(number) & self.number.le(number)
     }
 }

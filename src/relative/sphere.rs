@@ -1,6 +1,6 @@
 //! A sphere, seen from the camera.
 
-use super::Nearest;
+use super::Meeting;
 use crate::real::{Mask, Real, Scalar};
 use crate::vector::Vector;
 
@@ -28,7 +28,7 @@ impl<S: Scalar> Sphere<S> {
         direction: R::Vector,
         square: R,
         t_max_squared: R,
-    ) -> Option<Nearest<R>> {
+    ) -> Option<Meeting<R>> {
         let token = square.token();
         let zero = square.constant(0.0);
         let center = R::Vector::splat(token, &self.center);
@@ -49,14 +49,19 @@ impl<S: Scalar> Sphere<S> {
         } else {
             (ahead + root) / square
         };
-        let curvature = R::splat(token, self.curvature);
-        Some(Nearest {
+        Some(Meeting {
             mask: mask & (t * t * square).le(t_max_squared),
             t,
-            normal: (direction * t - center) * curvature,
-            slope: root * curvature.abs(),
+            slope: root * R::splat(token, self.curvature).abs(),
             number: R::splat(token, self.number),
-            color: R::Vector::splat(token, &self.color),
         })
+    }
+
+    /// The unit normal on the camera's side, where the ray meets the sphere.
+    #[inline(always)]
+    pub fn normal<R: Real<Scalar = S>>(&self, direction: R::Vector, t: R) -> R::Vector {
+        let token = t.token();
+        let center = R::Vector::splat(token, &self.center);
+        (direction * t - center) * R::splat(token, self.curvature)
     }
 }
