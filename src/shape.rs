@@ -21,6 +21,15 @@ pub struct Hit<R: Real> {
     pub t: R,
 }
 
+impl<R: Real> Hit<R> {
+    /// A hit in no lane; `t` is any number.
+    #[inline(always)]
+    fn none(t: R) -> Self {
+        let mask = R::mask(t.token(), false);
+        Self { mask, t }
+    }
+}
+
 /// A point projected onto a shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Projection<R: Real> {

@@ -120,8 +120,9 @@ impl<S: Scalar> Light<S> {
             blocked = blocked | beyond.gt(beyond.constant(0.0));
         }
         for occluder in &self.occluders {
-            blocked =
-                blocked | (occluder.blocks(point, square) & !hit.meeting.is_with(occluder.number));
+            if let Some(blocks) = occluder.blocks(point, square) {
+                blocked = blocked | (blocks & !hit.meeting.is_with(occluder.number));
+            }
         }
         blocked
     }
@@ -133,9 +134,10 @@ impl<S: Scalar> Occluder<S> {
     ///
     /// With p and l from the center to either end, the line passes at distance `|p x l| / |l - p|`,
     /// and the nearest point lies between the ends where `dot(p, l)` is below both p² and l². A way
-    /// that only touches the sphere is blocked: a tangent ray hits.
+    /// that only touches the sphere is blocked: a tangent ray hits. `None` if no lane's line passes
+    /// through.
     #[inline(always)]
-    fn blocks<R: Real<Scalar = S>>(&self, point: R::Vector, square: R) -> R::Mask {
+    fn blocks<R: Real<Scalar = S>>(&self, point: R::Vector, square: R) -> Option<R::Mask> {
         let token = square.token();
         let to_point = point - R::Vector::splat(token, &self.center);
         let to_light = R::Vector::splat(token, &self.to_light);
@@ -144,10 +146,10 @@ impl<S: Scalar> Occluder<S> {
             .dot(moment)
             .le(R::splat(token, self.radius_squared) * square);
         if !near.any() {
-            return near;
+            return None;
         }
         let product = to_point.dot(to_light);
-        near & product.lt(to_point.dot(to_point))
-            & product.lt(R::splat(token, self.to_light_squared))
+        let before = product.lt(to_point.dot(to_point));
+        Some(near & before & product.lt(R::splat(token, self.to_light_squared)))
     }
 }

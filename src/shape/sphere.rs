@@ -7,7 +7,7 @@ use super::{Hit, Projection, Shape, gamma};
 use crate::error::Invalid;
 use crate::quality::Quality;
 use crate::ray::{Ray, Span};
-use crate::real::{Real, Scalar};
+use crate::real::{Mask, Real, Scalar};
 use crate::vector::Vector;
 use std::cmp::Ordering;
 
@@ -47,8 +47,9 @@ impl<S: Scalar> Sphere<S> {
     }
 }
 
-/// The two parameters at which a line meets a sphere, the smaller first; NaN where it does not.
-type Roots<R> = (R, R);
+/// The two parameters at which a line meets a sphere, the smaller first; NaN where it does not, and
+/// `None` where no lane does.
+type Roots<R> = Option<(R, R)>;
 
 /// The quadratic formula as textbooks have it, `(-b ∓ sqrt(b² - 4ac)) / 2a`, for a direction of any
 /// length.
@@ -58,8 +59,8 @@ fn textbook_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius:
     let a = direction.dot(direction);
     let b = two * direction.dot(from_center);
     let c = from_center.dot(from_center) - radius * radius;
-    let root = (b * b - four * a * c).sqrt();
-    ((-b - root) / (two * a), (-b + root) / (two * a))
+    let root = root_of(b * b - four * a * c)?;
+    Some(((-b - root) / (two * a), (-b + root) / (two * a)))
 }
 
 /// The discriminant from what is left of the way to the center after its part along the ray, and
@@ -73,19 +74,29 @@ fn stable_roots<R: Real>(from_center: R::Vector, direction: R::Vector, radius: R
     let b = -from_center.dot(direction);
     let c = from_center.dot(from_center) - radius * radius;
     let residual = from_center + direction * (b / a);
-    let root = (a * (radius * radius - residual.dot(residual))).sqrt();
+    let root = root_of(a * (radius * radius - residual.dot(residual)))?;
     let ahead = b.ge(b.constant(0.0));
     let q = b + R::select(ahead, root, -root);
     let (first, second) = (c / q, q / a);
-    (
+    Some((
         R::select(ahead, first, second),
         R::select(ahead, second, first),
-    )
+    ))
+}
+
+/// The root of a discriminant: a root is the dearest operation, and most rays miss most spheres.
+#[inline(always)]
+fn root_of<R: Real>(discriminant: R) -> Option<R> {
+    let meets = discriminant.ge(discriminant.constant(0.0));
+    meets.any().then(|| discriminant.sqrt())
 }
 
 /// The nearer root that lies in the interval.
 #[inline(always)]
-fn nearest<R: Real>((near, far): Roots<R>, span: &Span<R>) -> Hit<R> {
+fn nearest<R: Real>(roots: Roots<R>, span: &Span<R>) -> Hit<R> {
+    let Some((near, far)) = roots else {
+        return Hit::none(span.max);
+    };
     let near_counts = span.contains(near);
     Hit {
         mask: near_counts | span.contains(far),
