@@ -71,6 +71,14 @@ struct Meeting<R: Real> {
     number: R,
 }
 
+/// The nearest meeting so far, and the first and the last surface that any lane met; there is none
+/// where first is after last.
+struct Search<R: Real> {
+    nearest: Meeting<R>,
+    first: usize,
+    last: usize,
+}
+
 /// What a ray from the camera meets first.
 #[derive(Clone, Copy)]
 struct Nearest<R: Real> {
@@ -101,6 +109,41 @@ impl<R: Real> Meeting<R> {
     }
 }
 
+impl<R: Real> Search<R> {
+    /// Before any surface was asked; `any` may be any number.
+    #[inline(always)]
+    fn new(any: R) -> Self {
+        Self {
+            nearest: Meeting {
+                mask: R::mask(any.token(), false),
+                t: any,
+                slope: any,
+                number: any,
+            },
+            first: usize::MAX,
+            last: 0,
+        }
+    }
+
+    /// Whether no surface was met.
+    #[inline(always)]
+    fn is_empty(&self) -> bool {
+        self.first > self.last
+    }
+
+    /// Adds what the surface of the next index answered.
+    #[inline(always)]
+    fn add(&mut self, index: usize, meeting: Option<Meeting<R>>) {
+        let Some(meeting) = meeting else { return };
+        self.nearest = if self.is_empty() {
+            meeting
+        } else {
+            self.nearest.or_nearer(meeting)
+        };
+        (self.first, self.last) = (self.first.min(index), index);
+    }
+}
+
 impl<S: Scalar> Plane<S> {
     /// Where a ray from the camera meets the plane; `None` if no lane does.
     #[inline(always)]
@@ -127,28 +170,21 @@ impl<S: Scalar> Relative<S> {
     fn nearest<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Option<Nearest<R>> {
         let token = square.token();
         let t_max_squared = R::splat(token, self.t_max_squared);
-        let mut nearest = Meeting {
-            mask: R::mask(token, false),
-            t: square,
-            slope: square,
-            number: square,
-        };
-        let (mut first, mut last) = (usize::MAX, 0);
+        let mut search = Search::new(square);
         for (index, sphere) in (0..).zip(&self.spheres) {
-            if let Some(meeting) = sphere.meet(direction, square, t_max_squared) {
-                nearest = nearest.or_nearer(meeting);
-                (first, last) = (first.min(index), index);
-            }
+            search.add(index, sphere.meet(direction, square, t_max_squared));
         }
         for (index, plane) in (self.spheres.len()..).zip(&self.planes) {
-            if let Some(meeting) = plane.meet(direction, square) {
-                nearest = nearest.or_nearer(meeting);
-                (first, last) = (first.min(index), index);
-            }
+            search.add(index, plane.meet(direction, square));
         }
-        if first > last {
+        if search.is_empty() {
             return None;
         }
+        let Search {
+            nearest,
+            first,
+            last,
+        } = search;
         let (mut normal, mut color) = self.surface::<R>(first, direction, nearest.t);
         for index in first + 1..=last {
             let here = nearest.is_with(self.number(index));
