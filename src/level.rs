@@ -12,6 +12,8 @@ use std::str::FromStr;
 pub enum Level {
     /// No packets: the reference for all others.
     Scalar,
+    /// Packets of 128 bits without SIMD instructions, for every processor.
+    Fallback,
     /// Packets of 128 bits, which every x86-64 processor has.
     Sse2,
     /// Packets of 128 bits with more instructions: x86-64-v2.
@@ -26,8 +28,9 @@ pub enum Level {
 
 impl Level {
     /// Every level, each narrower one before the wider.
-    pub const ALL: [Level; 6] = [
+    pub const ALL: [Level; 7] = [
         Level::Scalar,
+        Level::Fallback,
         Level::Sse2,
         Level::Sse4_2,
         Level::Avx2,
@@ -35,10 +38,12 @@ impl Level {
         Level::Neon,
     ];
 
-    /// The name that [`FromStr`] reads: `scalar`, `sse2`, `sse4.2`, `avx2`, `avx512` or `neon`.
+    /// The name that [`FromStr`] reads: `scalar`, `fallback`, `sse2`, `sse4.2`, `avx2`, `avx512` or
+    /// `neon`.
     pub fn name(self) -> &'static str {
         match self {
             Level::Scalar => "scalar",
+            Level::Fallback => "fallback",
             Level::Sse2 => "sse2",
             Level::Sse4_2 => "sse4.2",
             Level::Avx2 => "avx2",
@@ -68,6 +73,7 @@ impl Level {
         use fearless_simd::Level as Simd;
         let best = Simd::new();
         match self {
+            Level::Fallback => Some(Simd::fallback()),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
             Level::Sse2 => best.as_sse2().map(Simd::Sse2),
             #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

@@ -12,7 +12,7 @@
 //!   every point the camera sees. Such lights are left out once a frame. Of what remains, planes and
 //!   spheres around the camera block nothing, and only spheres beside the way to the light need a
 //!   look.
-//! - The surface a shadow ray leaves is skipped by its number; equal surfaces share one.
+//! - The sphere a shadow ray leaves is skipped by its number; of spheres that coincide there is one.
 
 mod follow;
 mod light;
@@ -33,6 +33,8 @@ pub struct Relative<S: Scalar> {
     up: S::Vector,
     spheres: Vec<Sphere<S>>,
     planes: Vec<Plane<S>>,
+    /// The number of the scene's first plane.
+    first_plane: usize,
     /// `None`: the light is at the eye.
     lights: Option<Vec<Light<S>>>,
     background: S::Vector,

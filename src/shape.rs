@@ -17,16 +17,19 @@ use crate::vector::Vector;
 pub struct Hit<R: Real> {
     /// Whether there is a hit at all.
     pub mask: R::Mask,
-    /// The ray's parameter there; means nothing where the mask is false.
+    /// The ray's parameter there. Where the mask is false it may be outside the interval, or not a
+    /// number.
     pub t: R,
 }
 
 impl<R: Real> Hit<R> {
-    /// A hit in no lane; `t` is any number.
+    /// A miss in every lane: `t` is not a number.
     #[inline(always)]
-    fn none(t: R) -> Self {
-        let mask = R::mask(t.token(), false);
-        Self { mask, t }
+    fn none(token: R::Token) -> Self {
+        Self {
+            mask: R::mask(token, false),
+            t: R::splat(token, Scalar::from_f64(f64::NAN)),
+        }
     }
 }
 

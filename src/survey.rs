@@ -4,9 +4,11 @@ use crate::camera::PerspectiveCamera;
 use crate::chain::{Chain, LabChain};
 use crate::film::Film;
 use crate::integrator::{DirectLighting, Integrator};
+use crate::level::Level;
 use crate::picture::Size;
 use crate::ray::{Ray, Span};
 use crate::real::Scalar;
+use crate::render::Frame;
 use crate::scene::{HitRecord, Scene};
 use crate::shadow::ShadowRay;
 use crate::shape::Shape;
@@ -148,32 +150,44 @@ pub(crate) fn visit<S: Scalar>(
     integrator: Integrator,
     mut pixel: impl FnMut(u32, u32, Pixel),
 ) {
+    let chain = LabChain {
+        scene,
+        camera,
+        integrator,
+    };
+    let frame = Frame::new(&chain, size);
+    let mut radiance = vec![scene.background(); size.width() as usize];
     for y in 0..size.height() {
+        S::expose(&frame, Level::best(), y, &mut radiance);
         let sy = LabChain::coordinate(y, size.height());
-        for x in 0..size.width() {
+        for (x, &radiance) in (0..).zip(&radiance) {
             let ray = camera.ray(LabChain::coordinate(x, size.width()), sy);
-            pixel(x, y, follow(scene, &ray, integrator));
+            let found = Pixel {
+                level: Pixel::level_of::<S>(radiance),
+                ..Pixel::default()
+            };
+            pixel(x, y, follow(scene, &ray, integrator, found));
         }
     }
 }
 
-/// What happens along one primary ray.
-fn follow<S: Scalar>(scene: &Scene<S>, ray: &Ray<S>, integrator: Integrator) -> Pixel {
-    let level = Pixel::level_of::<S>(integrator.radiance(scene, ray));
+/// What happens along one primary ray, added to what was found.
+fn follow<S: Scalar>(
+    scene: &Scene<S>,
+    ray: &Ray<S>,
+    integrator: Integrator,
+    found: Pixel,
+) -> Pixel {
     let span = Span::new(S::from_f64(0.0), scene.t_max());
     let hit = scene.intersect(ray, &span, integrator.quality());
     if !hit.mask {
-        return Pixel {
-            level,
-            ..Pixel::default()
-        };
+        return found;
     }
     let object = hit.object.to_f64() as usize;
     let pixel = Pixel {
         object: Some(object),
         on_sphere: object < scene.spheres().len(),
-        level,
-        ..Pixel::default()
+        ..found
     };
     match integrator {
         Integrator::RayCast(_) => pixel,

@@ -26,7 +26,7 @@ impl<S: Scalar> Relative<S> {
         }
         let object = hit.meeting.number.to_f64() as usize;
         pixel.object = Some(object);
-        pixel.on_sphere = object < self.spheres.len();
+        pixel.on_sphere = object < self.first_plane;
         for light in self.lights.iter().flatten() {
             let facing = light.height(&hit).gt(S::from_f64(0.0));
             pixel.faces_light |= facing;

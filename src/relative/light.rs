@@ -10,7 +10,7 @@ pub(super) struct Light<S: Scalar> {
     pub position: S::Vector,
     /// Colour times power.
     pub intensity: S::Vector,
-    /// Its height above each plane on whose positive side it is, by the plane's number.
+    /// Its height above each plane, by the plane's number: ascending, and above every sphere's.
     pub heights: Vec<(S, S)>,
     /// The spheres to which it is much nearer than to the camera.
     pub near: Vec<Near<S>>,
@@ -55,11 +55,8 @@ impl<S: Scalar> Light<S> {
         let position = R::Vector::splat(token, &self.position);
         let mut height = hit.normal.dot(position) + hit.meeting.t * hit.meeting.slope;
         for &(number, constant) in &self.heights {
-            height = R::select(
-                hit.meeting.is_with(number),
-                R::splat(token, constant),
-                height,
-            );
+            let from_here_on = hit.meeting.number.ge(R::splat(token, number));
+            height = R::select(from_here_on, R::splat(token, constant), height);
         }
         for near in &self.near {
             let above = hit.normal.dot(R::Vector::splat(token, &near.to_light));

@@ -12,7 +12,7 @@ use crate::scene::Scene;
 use crate::vector::{Triple, Vector};
 use glam::DVec3;
 use std::cmp::Ordering;
-use std::collections::HashMap;
+use std::collections::HashSet;
 
 /// Objects are told apart by a number that `f32` must hold exactly.
 const MOST_OBJECTS: usize = 1 << 24;
@@ -56,6 +56,7 @@ impl<S: Scalar> Relative<S> {
             right: round::<S>(axes.right),
             up: round::<S>(axes.up),
             spheres: surfaces.spheres.iter().map(ExactSphere::round).collect(),
+            first_plane: scene.spheres().len(),
             planes: surfaces
                 .planes
                 .iter()
@@ -90,7 +91,8 @@ struct ExactPlane {
     color: DVec3,
 }
 
-/// All surfaces of a scene relative to the camera.
+/// All surfaces of a scene relative to the camera. Of spheres that coincide only the first, which is
+/// the one that is seen.
 struct Surfaces {
     camera: Exact,
     spheres: Vec<ExactSphere>,
@@ -99,20 +101,20 @@ struct Surfaces {
 
 impl Surfaces {
     fn new(scene: &Scene<f64>, camera: Exact) -> Self {
-        let mut numbers = HashMap::new();
-        let spheres = scene.spheres().iter().enumerate().map(|(number, sphere)| {
+        let mut seen = HashSet::new();
+        let numbered = scene.spheres().iter().enumerate();
+        let spheres = numbered.filter_map(|(number, sphere)| {
             let (center, radius) = (sphere.shape.center(), sphere.shape.radius());
             let bits = [center.x, center.y, center.z, radius].map(f64::to_bits);
-            let number = *numbers.entry(bits).or_insert(number);
             let (center, radius) = (exact_vector(center) - camera, exact(radius));
             let power = center.dot(center) - radius * radius;
-            ExactSphere {
+            seen.insert(bits).then(|| ExactSphere {
                 center,
                 radius,
                 power,
                 number,
                 color: sphere.color(),
-            }
+            })
         });
         let planes = scene.planes().iter().enumerate().map(|(number, plane)| {
             let normal = exact_vector(plane.shape.normal()).normalized();

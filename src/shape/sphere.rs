@@ -95,7 +95,7 @@ fn root_of<R: Real>(discriminant: R) -> Option<R> {
 #[inline(always)]
 fn nearest<R: Real>(roots: Roots<R>, span: &Span<R>) -> Hit<R> {
     let Some((near, far)) = roots else {
-        return Hit::none(span.max);
+        return Hit::none(span.max.token());
     };
     let near_counts = span.contains(near);
     Hit {

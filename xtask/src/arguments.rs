@@ -18,7 +18,7 @@ pub enum Format {
 /// What to compute with. No choice changes a pixel.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct Machine {
-    /// Compute at this processor level: auto, scalar, sse2, sse4.2, avx2, avx512, neon
+    /// Compute at this processor level: auto, scalar, fallback, sse2, sse4.2, avx2, avx512, neon
     #[arg(long, value_name = "LEVEL", default_value = "auto")]
     level: Level,
 
