@@ -1,8 +1,10 @@
 //! Pictures as PNG files: 8 bits, RGB.
 
 use crate::error::{Error, Result};
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use ombrage::{Picture, Size};
-use png::{BitDepth, ColorType, Decoder, DeflateCompression, Encoder, EncodingError, Filter};
+use png::{BitDepth, ColorType, Decoder, Encoder, EncodingError, chunk};
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Write};
 use std::path::Path;
@@ -20,15 +22,29 @@ pub fn write(picture: &Picture, out: impl Write) -> io::Result<()> {
     out.flush()
 }
 
+/// The scanlines are deflated many at a time, and not by the encoder, which hands them over one by
+/// one: that would clear the compressor's output buffer twice a row.
 fn encode(picture: &Picture, out: impl Write) -> std::result::Result<(), EncodingError> {
-    let mut encoder = Encoder::new(out, picture.size().width(), picture.size().height());
+    const LINES_AT_A_TIME: usize = 64;
+    /// Flat colours and noise: both are smallest unfiltered, and the quickest deflate is enough.
+    const UNFILTERED: u8 = 0;
+    let (width, height) = (picture.size().width(), picture.size().height());
+    let mut encoder = Encoder::new(out, width, height);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
-    // Flat colours and noise: both are smallest unfiltered, and the quickest deflate is enough.
-    encoder.set_deflate_compression(DeflateCompression::Level(1));
-    encoder.set_filter(Filter::NoFilter);
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(picture.bytes())?;
+    let mut deflated = ZlibEncoder::new(vec![], Compression::fast());
+    let lines = picture.bytes().chunks_exact(3 * width as usize);
+    let mut some = vec![];
+    for (row, line) in (1..).zip(lines) {
+        some.push(UNFILTERED);
+        some.extend_from_slice(line);
+        if row % LINES_AT_A_TIME == 0 || row == height as usize {
+            deflated.write_all(&some)?;
+            some.clear();
+        }
+    }
+    writer.write_chunk(chunk::IDAT, &deflated.finish()?)?;
     writer.finish()
 }
 
