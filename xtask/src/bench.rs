@@ -1,0 +1,214 @@
+//! `cargo xtask bench`: how fast every way to a picture is, against the lab's way and the machine.
+
+pub mod counted;
+mod hierarchy;
+mod lab_way;
+mod limits;
+mod lists;
+mod machine;
+mod operations;
+pub mod result;
+mod stage;
+mod tables;
+mod way;
+
+pub use lists::Plan;
+pub use result::Bench;
+
+use crate::case::Case;
+use crate::error::{Error, Result};
+use crate::{output, progress};
+use indicatif::ProgressBar;
+use ombrage::{Level, Picture};
+use result::{Hierarchy, Row};
+use stage::{Stage, truth};
+use std::process::ExitCode;
+use way::Contender;
+
+/// Measure how fast every way to Figure 3(c) is, and how wrong its bytes are
+///
+/// All ways run in turns in one process, so that a machine that slows down slows all of them; a
+/// time is the median, a ratio the median of the ratios of neighbouring times. What they are
+/// measured against, lab-way, is the lab's program as its C++ engine is built: trait objects in a
+/// map, nearest hits for shadow rays, one pixel at a time.
+#[derive(clap::Args)]
+#[command(after_help = "\
+Examples:
+  cargo xtask bench                 everything, in about a minute
+  cargo xtask bench --quick         a first look, in a few seconds
+  cargo xtask bench --json          the same for machines, with all that the tables leave out
+
+Exit status: 0 measured; 1 a picture is not what it must be; 2 bad input.
+
+ns/pixel: median nanoseconds a pixel, from the scene to the bytes; x: times as fast as lab-way;
+wrong: bytes that differ from the true picture, which double-double computes; limit: the share of
+the machine's own limit that is reached.
+
+Every picture is checked: each level, each number of threads and either question of the shadow rays
+must give the scalar path's bytes, and lab-way those of the lab's chain but for one byte in 24,000
+pixels. Close other programs first: the load is printed with the machine.")]
+pub struct Args {
+    /// Take a first look: 600x400 only, few spheres, few rounds
+    #[arg(long)]
+    quick: bool,
+
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// If standard output cannot be written to.
+pub fn run(args: &Args) -> Result<ExitCode> {
+    let plan = if args.quick {
+        Plan::quick()
+    } else {
+        Plan::full()
+    }?;
+    let bar = progress::bar(0, true);
+    let bench = measure(&plan, &bar)?;
+    bar.finish_and_clear();
+    let text = if args.json {
+        serde_json::to_string_pretty(&bench)
+            .map_err(|error| Error::new(format!("cannot write the times as JSON: {error}")))?
+            + "\n"
+    } else {
+        tables::text(&bench)
+    };
+    output::print(&text)?;
+    for complaint in &bench.wrong_pictures {
+        eprintln!("{complaint}");
+    }
+    let is_well = bench.wrong_pictures.is_empty();
+    Ok(ExitCode::from(u8::from(!is_well)))
+}
+
+/// Measures everything in a plan; the bar learns how much there is to do, and how far it is.
+///
+/// # Errors
+/// None: all scenes are valid, and all levels are the processor's own.
+pub fn measure(plan: &Plan, bar: &ProgressBar) -> Result<Bench> {
+    let pictures = plan.sizes.len() + plan.growing_sizes.len() + plan.spheres.len();
+    bar.set_length(2 * pictures as u64 + 1);
+    let machine = machine::look();
+    bar.set_message("the machine's limits");
+    let mut limits = limits::measure::<f32>();
+    let mut operations = operations::count::<f32>(&operations::together_at(&limits))?;
+    let double = limits::measure::<f64>();
+    operations.extend(operations::count::<f64>(&operations::together_at(&double))?);
+    limits.extend(double);
+    let stores: Vec<_> = plan.sizes.iter().map(|&size| limits::store(size)).collect();
+    bar.inc(1);
+
+    let mut bench = Bench {
+        machine,
+        rows: vec![],
+        growth_with_pixels: vec![],
+        growth_with_spheres: vec![],
+        hierarchy: vec![],
+        limits,
+        stores,
+        operations,
+        wrong_pictures: vec![],
+    };
+    let mut race = Race {
+        seconds: plan.seconds,
+        bar,
+        wrong_pictures: &mut bench.wrong_pictures,
+    };
+    for (place, &size) in plan.sizes.iter().enumerate() {
+        let mut contenders = lists::levels();
+        if place == 0 {
+            contenders.extend(lists::variants());
+        }
+        let rows = race.run("3c", &lists::figure(size)?, &contenders)?;
+        bench.rows.extend(rows);
+    }
+    for &size in &plan.growing_sizes {
+        let rows = race.run("3c", &lists::figure(size)?, &lists::growth(false))?;
+        bench.growth_with_pixels.extend(rows);
+    }
+    for &count in &plan.spheres {
+        let rows = race.run("spheres", &lists::spheres(count)?, &lists::growth(true))?;
+        bench.growth_with_spheres.extend(rows);
+    }
+    operations::judge(
+        &mut bench.rows,
+        &bench.limits,
+        &bench.operations,
+        &bench.stores,
+    );
+    bench.hierarchy = pays(&bench.growth_with_spheres);
+    Ok(bench)
+}
+
+/// How contenders run against each other.
+struct Race<'a> {
+    seconds: f64,
+    bar: &'a ProgressBar,
+    wrong_pictures: &'a mut Vec<String>,
+}
+
+impl Race<'_> {
+    /// Lets contenders run on a picture, in `f32` and in `f64`.
+    fn run(
+        &mut self,
+        picture: &'static str,
+        case: &Case,
+        contenders: &[Contender],
+    ) -> Result<Vec<Row>> {
+        let (width, height) = (case.size.width(), case.size.height());
+        let spheres = case.scene.spheres().len();
+        self.bar
+            .set_message(format!("{width}x{height}, spheres: {spheres}"));
+        let truth = truth(case)?;
+        let mut rows = self.run_in::<f32>(picture, case, &truth, contenders)?;
+        rows.extend(self.run_in::<f64>(picture, case, &truth, contenders)?);
+        Ok(rows)
+    }
+
+    fn run_in<F: hierarchy::InPackets>(
+        &mut self,
+        picture: &'static str,
+        case: &Case,
+        truth: &Picture,
+        contenders: &[Contender],
+    ) -> Result<Vec<Row>> {
+        let stage = Stage::<F>::new(picture, case, truth)?;
+        let rows = stage.run(contenders, self.seconds, self.wrong_pictures);
+        self.bar.inc(1);
+        rows
+    }
+}
+
+/// From how many spheres on the tree is faster than the list, at every level it was measured at.
+fn pays(rows: &[Row]) -> Vec<Hierarchy> {
+    let mut levels = vec![Level::Scalar, Level::best()];
+    levels.dedup();
+    let mut found = vec![];
+    for float in ["f32", "f64"] {
+        for level in &levels {
+            let times = |chain: &str| -> Vec<(usize, f64)> {
+                let of = |row: &&Row| {
+                    row.float == float
+                        && row.level == level.name()
+                        && row.chain == chain
+                        && row.query.as_deref() == Some("any")
+                };
+                let rows = rows.iter().filter(of);
+                rows.map(|row| (row.spheres, row.ns_per_pixel)).collect()
+            };
+            let (lists, trees) = (times("lab"), times("lab, hierarchy"));
+            let pairs = lists.iter().zip(&trees).rev();
+            let pays = pairs.take_while(|((_, list), (_, tree))| tree < list);
+            found.push(Hierarchy {
+                float: float.into(),
+                level: level.name().into(),
+                pays_from: pays.last().map(|((spheres, _), _)| *spheres),
+            });
+        }
+    }
+    found
+}

@@ -1,0 +1,126 @@
+//! How many operations Figure 3(c) takes, and how fast it could be for them.
+
+use super::counted::{Counted, Counts, take};
+use super::result::{Limit, Operations, Row, Store};
+use crate::case;
+use crate::error::Result;
+use ombrage::{
+    Chain, Film, Float, LabChain, Lighting, PerspectiveCamera, Quality, Relative, Shadow, Size,
+    Vector, lab,
+};
+use std::array;
+
+/// The counts of both chains, for each number of pixels that are computed together.
+///
+/// # Errors
+/// None: the lab's scene is valid.
+pub fn count<F: Float>(lanes: &[usize]) -> Result<Vec<Operations>> {
+    let size = Size::LAB;
+    let (scene, view) = (lab::scene::<F>()?, lab::view::<F>());
+    let camera = PerspectiveCamera::new(&view, F::from_f64(size.aspect()))?;
+    let lab_chain = LabChain {
+        scene: &scene,
+        camera: &camera,
+        integrator: case::direct(Quality::Textbook, Some(Shadow::UlpOffset)),
+    };
+    let (scene, view) = (lab::scene()?, lab::view());
+    let relative = Relative::<F>::new(&scene, &view, size, Lighting::Shadowed)?;
+    let mut operations = vec![];
+    for &lanes in lanes {
+        operations.push(of("lab", &lab_chain, lanes));
+        operations.push(of("relative", &relative, lanes));
+    }
+    Ok(operations)
+}
+
+fn of<F: Float, C: Chain<F>>(name: &str, chain: &C, lanes: usize) -> Operations {
+    let counts = match lanes {
+        4 => together::<F, C, 4>(chain),
+        8 => together::<F, C, 8>(chain),
+        16 => together::<F, C, 16>(chain),
+        32 => together::<F, C, 32>(chain),
+        _ => together::<F, C, 1>(chain),
+    };
+    let per_pixel = |count: u64| count as f64 / Size::LAB.pixels() as f64;
+    Operations {
+        float: F::NAME.into(),
+        chain: name.into(),
+        lanes,
+        add_mul: per_pixel(counts.add_mul),
+        compare_select: per_pixel(counts.compare_select),
+        divide: per_pixel(counts.divide),
+        sqrt: per_pixel(counts.sqrt),
+    }
+}
+
+/// Computes the picture, `N` pixels at a time, from left to right.
+fn together<F: Float, C: Chain<F>, const N: usize>(chain: &C) -> Counts {
+    let (width, height) = (Size::LAB.width(), Size::LAB.height());
+    take();
+    for row in 0..height {
+        let down = Counted([C::coordinate(row, height); N]);
+        for first in (0..width).step_by(N) {
+            let column = |i: usize| (first + i as u32).min(width - 1);
+            let across = Counted(array::from_fn(|i| C::coordinate(column(i), width)));
+            let radiance = chain.radiance::<Counted<F, N>>(across, down);
+            for component in radiance.to_array() {
+                Film::Clamp.byte(component);
+            }
+        }
+    }
+    take()
+}
+
+/// Gives rows of Figure 3(c) on one thread the share of the machine's limit that they reach.
+///
+/// No picture can be faster than its additions, multiplications, comparisons and selections at the
+/// best rate that was measured for any of them, nor than its divisions and roots, which share one
+/// unit, nor than the store of its bytes. What else it takes - loads, moves, logic, conversions,
+/// loops - is not counted, so the limit cannot be reached.
+pub fn judge(rows: &mut [Row], limits: &[Limit], operations: &[Operations], stores: &[Store]) {
+    for row in rows.iter_mut().filter(|row| row.threads == 1) {
+        let limit = limits
+            .iter()
+            .find(|limit| (&limit.float, &limit.level) == (&row.float, &row.level));
+        let Some(limit) = limit.filter(|_| is_counted(row)) else {
+            continue;
+        };
+        let counted = operations.iter().find(|counted| {
+            let together = (&counted.float, &counted.chain, counted.lanes);
+            together == (&row.float, &row.chain, 2 * limit.lanes)
+        });
+        let store = stores
+            .iter()
+            .find(|store| (store.width, store.height) == (row.width, row.height));
+        if let (Some(counted), Some(store)) = (counted, store) {
+            row.share_of_limit = Some(fastest(counted, limit, store) / row.ns_per_pixel);
+        }
+    }
+}
+
+/// Whether a row is computed as the operations were counted.
+fn is_counted(row: &Row) -> bool {
+    let as_figure = row.shadow == Shadow::UlpOffset.name()
+        && row.quality.as_deref() == Some(Quality::Textbook.name())
+        && row.query.as_deref() == Some("any");
+    row.chain == "relative" || row.chain == "lab" && as_figure
+}
+
+/// The least nanoseconds a pixel.
+fn fastest(counted: &Operations, limit: &Limit, store: &Store) -> f64 {
+    let best = limit.add_mul_ns.min(limit.compare_select_ns);
+    let arithmetic = (counted.add_mul + counted.compare_select) * best;
+    let divider = counted.divide * limit.divide_ns + counted.sqrt * limit.sqrt_ns;
+    let lanes = limit.lanes as f64;
+    (arithmetic / lanes)
+        .max(divider / lanes)
+        .max(store.ns_per_pixel)
+}
+
+/// How many pixels are computed together at these levels: two packets; and one, for scalars.
+pub fn together_at(limits: &[Limit]) -> Vec<usize> {
+    let mut lanes = vec![1];
+    lanes.extend(limits.iter().map(|limit| 2 * limit.lanes));
+    lanes.dedup();
+    lanes
+}
