@@ -1,7 +1,9 @@
 //! `cargo xtask bench`: how fast every way to a picture is, against the lab's way and the machine.
 
-pub mod counted;
+mod counted;
+mod frames;
 mod hierarchy;
+pub mod instructions;
 mod lab_way;
 mod limits;
 mod lists;
@@ -15,12 +17,15 @@ mod way;
 pub use lists::Plan;
 pub use result::Bench;
 
+use crate::arguments::Format;
 use crate::case::Case;
 use crate::error::{Error, Result};
 use crate::{output, progress};
+use frames::{Chain, Frames};
 use indicatif::ProgressBar;
 use ombrage::{Level, Picture};
-use result::{Hierarchy, Row};
+use result::{Hierarchy, Instructions, Row};
+use serde::Serialize;
 use stage::{Stage, truth};
 use std::process::ExitCode;
 use way::Contender;
@@ -37,8 +42,11 @@ Examples:
   cargo xtask bench                 everything, in about a minute
   cargo xtask bench --quick         a first look, in a few seconds
   cargo xtask bench --json          the same for machines, with all that the tables leave out
+  cargo xtask bench --instructions  instructions a pixel, which no busy machine disturbs
+  cargo xtask bench --frames 1000 --chain lab --level avx2     something for a profiler
 
-Exit status: 0 measured; 1 a picture is not what it must be; 2 bad input.
+Exit status: 0 measured; 1 a picture is not what it must be, or takes too many instructions; 2 bad
+input.
 
 ns/pixel: median nanoseconds a pixel, from the scene to the bytes; x: times as fast as lab-way;
 wrong: bytes that differ from the true picture, which double-double computes; limit: the share of
@@ -55,13 +63,47 @@ pub struct Args {
     /// Print JSON
     #[arg(long)]
     json: bool,
+
+    /// Count the instructions of Figure 3(c) at AVX2 with Valgrind, and hold them to their limits
+    #[arg(long, conflicts_with = "quick")]
+    instructions: bool,
+
+    /// Only draw Figure 3(c) N times, for a profiler to look at
+    #[arg(long, value_name = "N", conflicts_with_all = ["quick", "json", "instructions"])]
+    frames: Option<u32>,
+
+    /// Draw the frames with this chain
+    #[arg(long, default_value = "relative", requires = "frames")]
+    chain: Chain,
+
+    /// Draw the frames in this format
+    #[arg(long, default_value = "f32", requires = "frames")]
+    float: Format,
+
+    /// Draw the frames at this processor level: auto, scalar, sse2, sse4.2, avx2, avx512, neon
+    #[arg(long, default_value = "auto", requires = "frames")]
+    level: Level,
 }
 
 /// Runs the command.
 ///
 /// # Errors
-/// If standard output cannot be written to.
+/// If the processor does not have the level, Valgrind fails, or standard output cannot be written
+/// to.
 pub fn run(args: &Args) -> Result<ExitCode> {
+    if let Some(count) = args.frames {
+        let (chain, format) = (args.chain, args.float);
+        let frames = Frames {
+            chain,
+            format,
+            count,
+        };
+        frames.draw(args.level)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    if args.instructions {
+        return count_instructions(args.json);
+    }
     let plan = if args.quick {
         Plan::quick()
     } else {
@@ -71,9 +113,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let bench = measure(&plan, &bar)?;
     bar.finish_and_clear();
     let text = if args.json {
-        serde_json::to_string_pretty(&bench)
-            .map_err(|error| Error::new(format!("cannot write the times as JSON: {error}")))?
-            + "\n"
+        json(&bench)?
     } else {
         tables::text(&bench)
     };
@@ -85,6 +125,30 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!is_well)))
 }
 
+fn json(what: &impl Serialize) -> Result<String> {
+    let text = serde_json::to_string_pretty(what)
+        .map_err(|error| Error::new(format!("cannot write the numbers as JSON: {error}")))?;
+    Ok(text + "\n")
+}
+
+fn count_instructions(as_json: bool) -> Result<ExitCode> {
+    let counted = match instructions::count()? {
+        Ok(counted) => counted,
+        Err(reason) => {
+            eprintln!("no instructions counted: {reason}");
+            vec![]
+        }
+    };
+    let text = if as_json {
+        json(&counted)?
+    } else {
+        tables::instructions(&counted)
+    };
+    output::print(&text)?;
+    let is_too_many = |of: &Instructions| of.allowed.is_some_and(|allowed| of.per_pixel > allowed);
+    Ok(ExitCode::from(u8::from(counted.iter().any(is_too_many))))
+}
+
 /// Measures everything in a plan; the bar learns how much there is to do, and how far it is.
 ///
 /// # Errors
@@ -94,10 +158,18 @@ pub fn measure(plan: &Plan, bar: &ProgressBar) -> Result<Bench> {
     bar.set_length(2 * pictures as u64 + 1);
     let machine = machine::look();
     bar.set_message("the machine's limits");
-    let mut limits = limits::measure::<f32>();
-    let mut operations = operations::count::<f32>(&operations::together_at(&limits))?;
+    let (mut limits, mut operations) = (limits::measure::<f32>(), vec![]);
     let double = limits::measure::<f64>();
-    operations.extend(operations::count::<f64>(&operations::together_at(&double))?);
+    if let Some(&size) = plan.sizes.first() {
+        operations.extend(operations::count::<f32>(
+            size,
+            &operations::together_at(&limits),
+        )?);
+        operations.extend(operations::count::<f64>(
+            size,
+            &operations::together_at(&double),
+        )?);
+    }
     limits.extend(double);
     let stores: Vec<_> = plan.sizes.iter().map(|&size| limits::store(size)).collect();
     bar.inc(1);

@@ -14,8 +14,7 @@ use std::array;
 ///
 /// # Errors
 /// None: the lab's scene is valid.
-pub fn count<F: Float>(lanes: &[usize]) -> Result<Vec<Operations>> {
-    let size = Size::LAB;
+pub fn count<F: Float>(size: Size, lanes: &[usize]) -> Result<Vec<Operations>> {
     let (scene, view) = (lab::scene::<F>()?, lab::view::<F>());
     let camera = PerspectiveCamera::new(&view, F::from_f64(size.aspect()))?;
     let lab_chain = LabChain {
@@ -27,21 +26,21 @@ pub fn count<F: Float>(lanes: &[usize]) -> Result<Vec<Operations>> {
     let relative = Relative::<F>::new(&scene, &view, size, Lighting::Shadowed)?;
     let mut operations = vec![];
     for &lanes in lanes {
-        operations.push(of("lab", &lab_chain, lanes));
-        operations.push(of("relative", &relative, lanes));
+        operations.push(of("lab", &lab_chain, size, lanes));
+        operations.push(of("relative", &relative, size, lanes));
     }
     Ok(operations)
 }
 
-fn of<F: Float, C: Chain<F>>(name: &str, chain: &C, lanes: usize) -> Operations {
+fn of<F: Float, C: Chain<F>>(name: &str, chain: &C, size: Size, lanes: usize) -> Operations {
     let counts = match lanes {
-        4 => together::<F, C, 4>(chain),
-        8 => together::<F, C, 8>(chain),
-        16 => together::<F, C, 16>(chain),
-        32 => together::<F, C, 32>(chain),
-        _ => together::<F, C, 1>(chain),
+        4 => together::<F, C, 4>(chain, size),
+        8 => together::<F, C, 8>(chain, size),
+        16 => together::<F, C, 16>(chain, size),
+        32 => together::<F, C, 32>(chain, size),
+        _ => together::<F, C, 1>(chain, size),
     };
-    let per_pixel = |count: u64| count as f64 / Size::LAB.pixels() as f64;
+    let per_pixel = |count: u64| count as f64 / size.pixels() as f64;
     Operations {
         float: F::NAME.into(),
         chain: name.into(),
@@ -54,8 +53,8 @@ fn of<F: Float, C: Chain<F>>(name: &str, chain: &C, lanes: usize) -> Operations 
 }
 
 /// Computes the picture, `N` pixels at a time, from left to right.
-fn together<F: Float, C: Chain<F>, const N: usize>(chain: &C) -> Counts {
-    let (width, height) = (Size::LAB.width(), Size::LAB.height());
+fn together<F: Float, C: Chain<F>, const N: usize>(chain: &C, size: Size) -> Counts {
+    let (width, height) = (size.width(), size.height());
     take();
     for row in 0..height {
         let down = Counted([C::coordinate(row, height); N]);

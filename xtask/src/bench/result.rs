@@ -123,7 +123,7 @@ pub struct Store {
     pub ns_per_pixel: f64,
 }
 
-/// The operations of Figure 3(c), 600 x 400, in a chain: counted, per pixel, from radiance to
+/// The operations of Figure 3(c) at the first size, in a chain: counted, per pixel, from radiance to
 /// bytes. A packet counts for all its lanes, whether they need the operation or not.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Operations {
@@ -141,4 +141,19 @@ pub struct Operations {
     pub divide: f64,
     /// Square roots.
     pub sqrt: f64,
+}
+
+/// The instructions that Figure 3(c), 600 x 400, takes in a chain.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Instructions {
+    /// `lab` or `relative`.
+    pub chain: String,
+    /// `f32` or `f64`.
+    pub float: String,
+    /// The processor level.
+    pub level: String,
+    /// Instructions a pixel.
+    pub per_pixel: f64,
+    /// How many it may be at most.
+    pub allowed: Option<f64>,
 }

@@ -1,6 +1,6 @@
 //! What was measured, for people.
 
-use super::result::{Bench, Hierarchy, Limit, Operations, Row};
+use super::result::{Bench, Hierarchy, Instructions, Limit, Operations, Row};
 use crate::table::{Table, grouped};
 use std::fmt::Write;
 
@@ -53,7 +53,7 @@ pub fn text(bench: &Bench) -> String {
             "to fill a new picture of {width}x{height}: {ns:.2} ns/pixel"
         );
     }
-    text += "\nOperations a pixel in Figure 3(c), 600x400; a packet counts for all its lanes\n";
+    text += "\nOperations a pixel in Figure 3(c); a packet counts for all its lanes\n";
     text + &operations(&bench.operations)
 }
 
@@ -201,6 +201,25 @@ fn operations(operations: &[Operations]) -> String {
         ];
         cells.extend(counts.map(|count| format!("{count:.2}")));
         table.row(cells);
+    }
+    table.render()
+}
+
+/// Instructions a pixel, and how many there may be. Nothing, where none were counted.
+pub fn instructions(counted: &[Instructions]) -> String {
+    if counted.is_empty() {
+        return String::new();
+    }
+    let mut table = Table::new(&["chain", "float", "level", "instructions/pixel", "at most"]);
+    for of in counted {
+        table.row(vec![
+            of.chain.clone(),
+            of.float.clone(),
+            of.level.clone(),
+            format!("{:.2}", of.per_pixel),
+            of.allowed
+                .map_or_else(String::new, |allowed| format!("{allowed:.0}")),
+        ]);
     }
     table.render()
 }
