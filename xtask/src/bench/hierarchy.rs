@@ -9,7 +9,7 @@ use ombrage::{
     Pair, PerspectiveCamera, Picture, Quality, Ray, Real, Scalar, Scene, Shadow, ShadowRay, Shape,
     Size, Span, Vector,
 };
-use tree::Tree;
+use tree::{Line, Tree};
 
 /// The kernels that Figure 3(c) uses.
 const QUALITY: Quality = Quality::Textbook;
@@ -126,10 +126,12 @@ impl<S: Scalar> Hierarchical<S> {
             object: zero,
             color: R::Vector::new(zero, zero, zero),
         };
-        let mut walk = self.tree.walk(ray);
-        while let Some(leaf) = walk.next_leaf(span.min, {
-            R::select(nearest.mask, nearest.distance, span.max)
-        }) {
+        let (mut way, line) = (self.tree.start(), Line::of(ray));
+        loop {
+            let max = R::select(nearest.mask, nearest.distance, span.max);
+            let Some(leaf) = self.tree.next_leaf(&mut way, &line, span.min, max) else {
+                break;
+            };
             for sphere in leaf {
                 keep_nearer(&mut nearest, ray, span, sphere);
             }
@@ -148,11 +150,11 @@ impl<S: Scalar> Hierarchical<S> {
         for plane in self.scene.planes() {
             hit = hit | plane.shape.intersect_any(ray, span, QUALITY);
         }
-        let mut walk = self.tree.walk(ray);
+        let (mut way, line) = (self.tree.start(), Line::of(ray));
         let nowhere = span.min.constant(-1.0);
         while (asked & !hit).any() {
             let open = R::select(asked & !hit, span.max, nowhere);
-            let Some(leaf) = walk.next_leaf(span.min, open) else {
+            let Some(leaf) = self.tree.next_leaf(&mut way, &line, span.min, open) else {
                 break;
             };
             for sphere in leaf {

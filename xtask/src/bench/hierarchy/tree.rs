@@ -5,8 +5,8 @@ use ombrage::{Mask, Object, Ray, Real, Scalar, Sphere, Vector};
 /// The most spheres in a leaf.
 const LEAF: usize = 4;
 
-/// The deepest tree there can be: halves of a list that fits into memory.
-const DEEPEST: usize = 64;
+/// The most nodes that wait: one a level, of a tree over fewer than 2^32 spheres.
+const DEEPEST: usize = 32;
 
 /// A sphere of a scene, with its colour.
 type Item<S> = Object<S, Sphere<S>>;
@@ -29,7 +29,7 @@ enum Content {
     /// Spheres from the first to before the last.
     Leaf(usize, usize),
     /// The axis of the split, the node with the lower half, and the one with the upper.
-    Split(usize, usize, usize),
+    Split(usize, u32, u32),
 }
 
 impl<S: Scalar> Tree<S> {
@@ -46,7 +46,7 @@ impl<S: Scalar> Tree<S> {
     }
 
     /// Adds the node of some spheres and returns its number.
-    fn grow(&mut self, first: usize, end: usize) -> usize {
+    fn grow(&mut self, first: usize, end: usize) -> u32 {
         let spheres = &mut self.spheres[first..end];
         let mut low = [f64::INFINITY; 3];
         let mut high = [f64::NEG_INFINITY; 3];
@@ -77,76 +77,98 @@ impl<S: Scalar> Tree<S> {
             let upper = self.grow(first + middle, end);
             self.nodes[number].content = Content::Split(axis, lower, upper);
         }
-        number
+        number as u32
     }
 
-    /// Starts along a ray.
+    /// A way that starts at the root.
     #[inline(always)]
-    pub fn walk<R: Real<Scalar = S>>(&self, ray: &Ray<R>) -> Walk<'_, R> {
-        let one = ray.origin.x().constant(1.0);
-        let inverse = ray.direction.to_array().map(|x| one / x);
-        Walk {
-            tree: self,
-            origin: ray.origin.to_array(),
-            inverse,
-            upward: inverse.map(|x| x.gt(x.constant(0.0)).any()),
-            stack: [0; DEEPEST],
-            depth: usize::from(!self.nodes.is_empty()),
+    pub fn start(&self) -> Way {
+        Way {
+            ahead: [0; DEEPEST],
+            count: usize::from(!self.nodes.is_empty()),
         }
     }
-}
 
-/// A way through the tree along a ray, the nearer half first.
-pub struct Walk<'a, R: Real> {
-    tree: &'a Tree<R::Scalar>,
-    origin: [R; 3],
-    inverse: [R; 3],
-    /// Whether the ray, in any lane, goes up along an axis.
-    upward: [bool; 3],
-    stack: [usize; DEEPEST],
-    depth: usize,
-}
-
-impl<'a, R: Real> Walk<'a, R> {
-    /// The spheres of the next leaf that any lane may meet between two parameters.
+    /// The spheres of the next leaf on the way that any lane may meet between two parameters.
     #[inline(always)]
-    pub fn next_leaf(&mut self, min: R, max: R) -> Option<&'a [Item<R::Scalar>]> {
-        while self.depth > 0 {
-            self.depth -= 1;
-            let node = &self.tree.nodes[self.stack[self.depth]];
-            if !self.meets(node, min, max).any() {
+    pub fn next_leaf<R: Real<Scalar = S>>(
+        &self,
+        way: &mut Way,
+        line: &Line<R>,
+        min: R,
+        max: R,
+    ) -> Option<&[Item<S>]> {
+        while way.count > 0 {
+            way.count -= 1;
+            let node = &self.nodes[way.ahead[way.count] as usize];
+            if !line.meets(node, min, max).any() {
                 continue;
             }
             match node.content {
-                Content::Leaf(first, end) => return Some(&self.tree.spheres[first..end]),
+                Content::Leaf(first, end) => return Some(&self.spheres[first..end]),
                 Content::Split(axis, lower, upper) => {
-                    let order = if self.upward[axis] {
-                        [upper, lower]
-                    } else {
-                        [lower, upper]
+                    let [later, sooner] = match line.upward[axis] {
+                        true => [upper, lower],
+                        false => [lower, upper],
                     };
-                    self.stack[self.depth..self.depth + 2].copy_from_slice(&order);
-                    self.depth += 2;
+                    way.ahead[way.count] = later;
+                    way.ahead[way.count + 1] = sooner;
+                    way.count += 2;
                 }
             }
         }
         None
     }
+}
+
+/// The nodes that a ray has still to visit, the nearer half last.
+pub struct Way {
+    ahead: [u32; DEEPEST],
+    count: usize,
+}
+
+/// A ray as boxes see it.
+pub struct Line<R: Real> {
+    origin: R::Vector,
+    inverse: R::Vector,
+    /// Whether the ray, in any lane, goes up along an axis.
+    upward: [bool; 3],
+}
+
+impl<R: Real> Line<R> {
+    /// The line of a ray.
+    #[inline(always)]
+    pub fn of(ray: &Ray<R>) -> Self {
+        let (zero, one) = (ray.origin.x().constant(0.0), ray.origin.x().constant(1.0));
+        let [x, y, z] = ray.direction.to_array();
+        Self {
+            origin: ray.origin,
+            inverse: Vector::new(one / x, one / y, one / z),
+            upward: [x.gt(zero).any(), y.gt(zero).any(), z.gt(zero).any()],
+        }
+    }
 
     /// The lanes that pass through the box (Kay and Kajiya, "Ray Tracing Complex Scenes", 1986).
     #[inline(always)]
     fn meets(&self, node: &Node<R::Scalar>, min: R, max: R) -> R::Mask {
-        let (mut enter, mut leave) = (min, max);
         let token = min.token();
-        let bounds = node.low.to_array().into_iter().zip(node.high.to_array());
-        for (axis, (low, high)) in bounds.enumerate() {
-            let at = |bound| (R::splat(token, bound) - self.origin[axis]) * self.inverse[axis];
-            let (a, b) = (at(low), at(high));
-            let rising = a.lt(b);
-            let (near, far) = (R::select(rising, a, b), R::select(rising, b, a));
-            enter = R::select(near.gt(enter), near, enter);
-            leave = R::select(far.lt(leave), far, leave);
-        }
+        let low = R::Vector::splat(token, node.low) - self.origin;
+        let high = R::Vector::splat(token, node.high) - self.origin;
+        let (a, b) = (low * self.inverse, high * self.inverse);
+        let (enter, leave) = narrowed(min, max, a.x(), b.x());
+        let (enter, leave) = narrowed(enter, leave, a.y(), b.y());
+        let (enter, leave) = narrowed(enter, leave, a.z(), b.z());
         enter.le(leave)
     }
+}
+
+/// What is left of an interval between two planes, met in either order.
+#[inline(always)]
+fn narrowed<R: Real>(enter: R, leave: R, a: R, b: R) -> (R, R) {
+    let rising = a.lt(b);
+    let (near, far) = (R::select(rising, a, b), R::select(rising, b, a));
+    (
+        R::select(near.gt(enter), near, enter),
+        R::select(far.lt(leave), far, leave),
+    )
 }
