@@ -284,3 +284,53 @@ fn pays(rows: &[Row]) -> Vec<Hierarchy> {
     }
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ombrage::Size;
+
+    /// Rows of the tree and of the list, with these times, at 1, 4, 16 ... spheres.
+    fn rows(times: &[(f64, f64)]) -> Vec<Row> {
+        let row = |chain: &str, spheres: usize, ns_per_pixel: f64| Row {
+            picture: "spheres".into(),
+            spheres,
+            width: Size::LAB.width(),
+            height: Size::LAB.height(),
+            float: "f32".into(),
+            chain: chain.into(),
+            shadow: "ulp-offset".into(),
+            quality: Some("textbook".into()),
+            query: Some("any".into()),
+            level: "scalar".into(),
+            threads: 1,
+            ns_per_pixel,
+            ratio_to_lab_way: 1.0,
+            wrong_bytes: 0,
+            share_of_limit: None,
+        };
+        let pair = |(step, &(list, tree)): (u32, &(f64, f64))| {
+            let spheres = 4usize.pow(step);
+            [
+                row("lab", spheres, list),
+                row("lab, hierarchy", spheres, tree),
+            ]
+        };
+        (0..).zip(times).flat_map(pair).collect()
+    }
+
+    fn pays_from(times: &[(f64, f64)]) -> Option<usize> {
+        pays(&rows(times))[0].pays_from
+    }
+
+    #[test]
+    fn a_hierarchy_pays_from_where_it_stays_faster() {
+        assert_eq!(
+            pays_from(&[(1.0, 2.0), (2.0, 2.5), (8.0, 3.0), (32.0, 4.0)]),
+            Some(16)
+        );
+        assert_eq!(pays_from(&[(2.0, 1.0), (2.0, 2.5), (8.0, 3.0)]), Some(16));
+        assert_eq!(pays_from(&[(2.0, 1.0), (8.0, 2.5)]), Some(1));
+        assert_eq!(pays_from(&[(1.0, 2.0), (2.0, 3.0)]), None);
+    }
+}

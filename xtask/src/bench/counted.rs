@@ -140,12 +140,12 @@ impl<S: Scalar, const N: usize> Real for Counted<S, N> {
 
     fn lt(self, other: Self) -> CountedMask<N> {
         note(|counts| counts.compare_select += N as u64);
-        CountedMask(self.zip(other, |a, b| a.lt(b)))
+        CountedMask(self.zip(other, Real::lt))
     }
 
     fn le(self, other: Self) -> CountedMask<N> {
         note(|counts| counts.compare_select += N as u64);
-        CountedMask(self.zip(other, |a, b| a.le(b)))
+        CountedMask(self.zip(other, Real::le))
     }
 
     fn select(mask: CountedMask<N>, yes: Self, no: Self) -> Self {
@@ -159,5 +159,32 @@ impl<S: Scalar, const N: usize> Real for Counted<S, N> {
 
     fn abs(self) -> Self {
         self.map(S::abs)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ombrage::Vector;
+
+    type Four = Counted<f64, 4>;
+
+    #[test]
+    fn counts_every_operation_once_a_lane() {
+        take();
+        let vector = Triple::<Four>::constant((), [3.0, 4.0, 12.0]);
+        let length = vector.dot(vector).sqrt();
+        assert_eq!(length.0, [13.0; 4]);
+        let half = length / length.constant(2.0);
+        let smaller = Four::select(half.lt(length), half, length);
+        assert_eq!(smaller.0, [6.5; 4]);
+        let expected = Counts {
+            add_mul: 4 * 5,
+            compare_select: 4 * 2,
+            divide: 4,
+            sqrt: 4,
+        };
+        assert_eq!(take(), expected);
+        assert_eq!(take(), Counts::default());
     }
 }

@@ -35,7 +35,7 @@ impl Chain {
 
     fn way(self) -> Way {
         match self {
-            Chain::LabWay => Way::LabWay,
+            Chain::LabWay => Way::Baseline,
             Chain::Lab => LAB,
             Chain::Hierarchy => Way::Hierarchy,
             Chain::Relative => Way::Relative,

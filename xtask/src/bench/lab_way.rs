@@ -88,3 +88,30 @@ fn byte<F: Float>(x: F) -> u8 {
     let x = if x > one { one } else { x };
     (x * F::from_f64(255.0)).to_f64() as u8
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::differing;
+    use ombrage::{Figure, lab};
+
+    /// It does the whole work: its picture is Figure 3(c), but for a handful of bytes.
+    fn draws_figure_3c<F: Float>() {
+        let (scene, view) = (lab::scene().expect("valid"), lab::view());
+        let found = Program::<F>::new(&scene, &view, Size::LAB).render(Size::LAB);
+        let figure = Figure::named("3c").expect("a figure");
+        let expected = figure.draw::<F>(Size::LAB).expect("valid");
+        let others = differing(found.expect("a picture").bytes(), expected.bytes());
+        assert!(others <= 10, "{others} bytes differ");
+    }
+
+    #[test]
+    fn draws_figure_3c_in_f32() {
+        draws_figure_3c::<f32>();
+    }
+
+    #[test]
+    fn draws_figure_3c_in_f64() {
+        draws_figure_3c::<f64>();
+    }
+}

@@ -36,7 +36,7 @@ impl Plan {
                 size(2400, 1600)?,
             ],
             spheres: vec![1, 2, 4, 8, 16, 32, 64, 256, 1024, 4096, 10_000],
-            seconds: 2.0,
+            seconds: 1.0,
         })
     }
 
@@ -99,7 +99,7 @@ pub fn growth(with_spheres: bool) -> Vec<Contender> {
 }
 
 fn baseline() -> Contender {
-    Contender::new(Way::LabWay, Level::Scalar)
+    Contender::new(Way::Baseline, Level::Scalar)
 }
 
 /// Figure 3(c) at a size.
@@ -147,6 +147,6 @@ pub fn spheres(count: usize) -> Result<Case> {
             .with_plane(plane, vector(1.0, 0.0, 0.0))?
             .with_light(light),
         view: lab::view(),
-        size: Size::new(96, 64)?,
+        size: Size::new(64, 48)?,
     })
 }

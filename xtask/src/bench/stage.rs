@@ -77,7 +77,7 @@ impl<'a, F: InPackets> Stage<'a, F> {
         } = self.case;
         let engine = Engine::new(contender.level, Some(contender.threads))?;
         Ok(match contender.way {
-            Way::LabWay => self.lab_way.render(*size)?,
+            Way::Baseline => self.lab_way.render(*size)?,
             Way::Lab(shadow, quality, query) => {
                 let chain = LabChain {
                     scene: &self.scene,
@@ -190,8 +190,8 @@ impl<'a, F: InPackets> Stage<'a, F> {
         let others = differing(picture.bytes(), reference.bytes());
         let size = self.case.size;
         let allowed = match (contender.way, self.scene.spheres().len()) {
-            (Way::LabWay, 1) => size.pixels().div_ceil(PIXELS_PER_OTHER_BYTE),
-            (Way::LabWay, _) => size.pixels().div_ceil(PIXELS_PER_OTHER_BYTE_AT_EDGES),
+            (Way::Baseline, 1) => size.pixels().div_ceil(PIXELS_PER_OTHER_BYTE),
+            (Way::Baseline, _) => size.pixels().div_ceil(PIXELS_PER_OTHER_BYTE_AT_EDGES),
             _ => 0,
         };
         (others > allowed).then(|| {
@@ -212,5 +212,40 @@ impl<'a, F: InPackets> Stage<'a, F> {
                 way.shadow(),
             )
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::lists;
+    use crate::bench::way::LAB;
+    use ombrage::{Figure, Size};
+
+    /// Pictures of other figures, and pictures a byte off, are noticed.
+    #[test]
+    fn complains_of_wrong_pictures() {
+        let case = lists::figure(Size::LAB).expect("valid");
+        let truth = truth(&case).expect("valid");
+        let stage = Stage::<f32>::new("3c", &case, &truth).expect("valid");
+        let reference = stage
+            .draw(Contender::new(LAB, Level::Scalar))
+            .expect("a picture");
+        let mut bytes = reference.bytes().to_vec();
+        bytes[0] ^= 1;
+        let off = Picture::new(Size::LAB, bytes).expect("three bytes a pixel");
+        let other = Figure::named("2b").expect("a figure");
+        let other = other.draw::<f32>(Size::LAB).expect("valid");
+        let complains = |way, picture| {
+            let contender = Contender::new(way, Level::best());
+            stage.complaint(contender, picture, &reference).is_some()
+        };
+        for way in [LAB, Way::Hierarchy, Way::Relative] {
+            assert!(!complains(way, &reference), "{way:?}");
+            assert!(complains(way, &off), "{way:?}");
+            assert!(complains(way, &other), "{way:?}");
+        }
+        assert!(!complains(Way::Baseline, &off));
+        assert!(complains(Way::Baseline, &other));
     }
 }

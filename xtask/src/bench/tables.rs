@@ -27,10 +27,10 @@ pub fn text(bench: &Bench) -> String {
         text += &format!("\nFigure 3(c), {width}x{height}, one thread unless it says otherwise\n");
         text += &pictures(rows);
     }
-    text += "\nGrowth with pixels: Figure 3(c), ns/pixel (wrong bytes)\n";
+    text += "\nGrowth with pixels: Figure 3(c), ns/pixel and wrong bytes\n";
     let size = |row: &Row| format!("{}x{}", row.width, row.height);
     text += &growth("size", &bench.growth_with_pixels, size);
-    text += "\nGrowth with spheres: a plane under them, 96x64, ns/pixel (wrong bytes)\n";
+    text += "\nGrowth with spheres: a plane under them, 64x48, ns/pixel and wrong bytes\n";
     let spheres = |row: &Row| grouped(row.spheres as u64);
     text += &growth("spheres", &bench.growth_with_spheres, spheres);
     for Hierarchy {
@@ -117,34 +117,67 @@ fn measured(row: &Row) -> Vec<String> {
     ]
 }
 
-/// A line for each step of the growth, a column for each contender.
+/// For each format and level a table: a line for each step of the growth, the times of all chains,
+/// and their wrong bytes.
 fn growth(head: &str, rows: &[Row], step: impl Fn(&Row) -> String) -> String {
     let mut text = String::new();
-    for float in ["f32", "f64"] {
-        let rows: Vec<&Row> = rows.iter().filter(|row| row.float == float).collect();
+    for (float, level) in formats_and_levels(rows) {
+        let fits = |row: &&Row| row.float == float && (row.level == level || is_baseline(row));
+        let rows: Vec<&Row> = rows.iter().filter(fits).collect();
         let steps: Vec<&[&Row]> = rows.chunk_by(|a, b| step(a) == step(b)).collect();
         let Some(first) = steps.first() else { continue };
-        let contender = |row: &&Row| match (&*row.chain, row.query.as_deref()) {
-            ("lab-way", _) => "lab-way".to_owned(),
-            ("lab", Some("nearest")) => format!("nearest {}", row.level),
-            ("lab, hierarchy", _) => format!("tree {}", row.level),
-            (chain, _) => format!("{chain} {}", row.level),
-        };
-        let mut heads = vec![format!("{head}, {float}")];
-        heads.extend(first.iter().map(contender));
+        let mut heads = vec![format!("{head}, {float}, {level}")];
+        heads.extend(first.iter().map(|row| chain(row)));
+        heads.extend(
+            first
+                .iter()
+                .filter(|row| is_judged(row))
+                .map(|row| format!("{} wrong", chain(row))),
+        );
         let mut table = Table::new(&heads.iter().map(String::as_str).collect::<Vec<_>>());
         for rows in steps {
             let mut cells = vec![step(rows[0])];
             cells.extend(rows.iter().map(|row| {
                 let digits = if row.ns_per_pixel < 100.0 { 2 } else { 0 };
-                format!("{:.digits$} ({})", row.ns_per_pixel, row.wrong_bytes)
+                format!("{:.digits$}", row.ns_per_pixel)
             }));
+            let judged = rows.iter().filter(|row| is_judged(row));
+            cells.extend(judged.map(|row| grouped(row.wrong_bytes as u64)));
             table.row(cells);
         }
         text += &table.render();
         text += "\n";
     }
     text
+}
+
+fn formats_and_levels(rows: &[Row]) -> Vec<(&str, &str)> {
+    let mut found = vec![];
+    for row in rows {
+        let both = (&*row.float, &*row.level);
+        if !found.contains(&both) {
+            found.push(both);
+        }
+    }
+    found
+}
+
+fn is_baseline(row: &Row) -> bool {
+    row.chain == "lab-way"
+}
+
+/// Whether the wrong bytes of a chain stand in the table: the tree and nearest hits have those of
+/// the lab's chain.
+fn is_judged(row: &Row) -> bool {
+    is_baseline(row) || row.chain == "relative" || chain(row) == "lab"
+}
+
+/// A chain's name in the head of a column.
+fn chain(row: &Row) -> String {
+    match (&*row.chain, row.query.as_deref()) {
+        ("lab", Some("nearest")) => "lab, nearest hit".into(),
+        (chain, _) => chain.into(),
+    }
 }
 
 fn limits(limits: &[Limit]) -> String {

@@ -7,7 +7,7 @@ use std::num::NonZero;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
     /// The baseline, [`lab_way`](super::lab_way).
-    LabWay,
+    Baseline,
     /// The lab's chain.
     Lab(Shadow, Quality, ShadowQuery),
     /// The lab's chain with a tree over the spheres, [`hierarchy`](super::hierarchy).
@@ -23,7 +23,7 @@ impl Way {
     /// The name of its chain, as tables give it.
     pub fn chain(self) -> &'static str {
         match self {
-            Way::LabWay => "lab-way",
+            Way::Baseline => "lab-way",
             Way::Lab(..) => "lab",
             Way::Hierarchy => "lab, hierarchy",
             Way::Relative => "relative",
@@ -33,7 +33,7 @@ impl Way {
     /// How its shadow rays leave their surface.
     pub fn shadow(self) -> String {
         match self {
-            Way::LabWay | Way::Hierarchy => Shadow::UlpOffset.name(),
+            Way::Baseline | Way::Hierarchy => Shadow::UlpOffset.name(),
             Way::Lab(shadow, ..) => shadow.name(),
             Way::Relative => "sidedness".into(),
         }
@@ -42,7 +42,7 @@ impl Way {
     /// How well it computes, where there is a choice.
     pub fn quality(self) -> Option<Quality> {
         match self {
-            Way::LabWay | Way::Hierarchy => Some(Quality::Textbook),
+            Way::Baseline | Way::Hierarchy => Some(Quality::Textbook),
             Way::Lab(_, quality, _) => Some(quality),
             Way::Relative => None,
         }
@@ -51,7 +51,7 @@ impl Way {
     /// What its shadow rays ask, where there is a choice.
     pub fn query(self) -> Option<&'static str> {
         match self {
-            Way::LabWay | Way::Lab(_, _, ShadowQuery::Nearest) => Some("nearest"),
+            Way::Baseline | Way::Lab(_, _, ShadowQuery::Nearest) => Some("nearest"),
             Way::Lab(_, _, ShadowQuery::Any) | Way::Hierarchy => Some("any"),
             Way::Relative => None,
         }
@@ -60,7 +60,7 @@ impl Way {
     /// The way whose scalar path must have the same bytes; for the baseline nearly the same.
     pub fn reference(self) -> Way {
         match self {
-            Way::LabWay | Way::Hierarchy => LAB,
+            Way::Baseline | Way::Hierarchy => LAB,
             Way::Lab(shadow, quality, _) => Way::Lab(shadow, quality, ShadowQuery::Any),
             Way::Relative => Way::Relative,
         }
@@ -68,7 +68,7 @@ impl Way {
 
     /// Whether it knows packets.
     fn has_packets(self) -> bool {
-        !matches!(self, Way::LabWay | Way::Lab(_, Quality::Wide, _))
+        !matches!(self, Way::Baseline | Way::Lab(_, Quality::Wide, _))
     }
 }
 
