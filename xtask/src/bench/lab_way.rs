@@ -69,13 +69,16 @@ impl<F: Float> Program<F> {
     pub fn render(&self, size: Size) -> Result<Picture, Invalid> {
         let zero = F::from_f64(0.0);
         let place = |i: u32, n: u32| F::from_f64(f64::from(i)) / F::from_f64(f64::from(n - 1));
-        let mut bytes = Vec::with_capacity(3 * size.pixels());
+        let mut bytes = vec![0; 3 * size.pixels()];
+        let mut pixels = bytes.chunks_exact_mut(3);
         for j in 0..size.height() {
             let sy = place(j, size.height());
             for i in 0..size.width() {
                 let ray = self.camera.ray(place(i, size.width()), sy);
                 let color = self.integrator.li(&self.scene, &ray, zero, self.t_max);
-                bytes.extend(color.to_array().map(byte));
+                if let Some(pixel) = pixels.next() {
+                    pixel.copy_from_slice(&color.to_array().map(byte));
+                }
             }
         }
         Picture::new(size, bytes)

@@ -16,11 +16,10 @@ impl<F: Float> Ray<F> {
     /// The lab's `Ray::offset`: Wächter and Binder, Ray Tracing Gems (2019), chapter 6.
     pub fn offset(&mut self, normal: F::Vector) {
         let moved = |p: F, n: F| {
-            let one = F::from_f64(1.0 / 32.0);
-            if p < one && p > -one {
+            if p.abs() < F::from_f64(1.0 / 32.0) {
                 return p + n * F::from_f64(128.0 * F::EPSILON);
             }
-            let places = (n * F::from_f64(256.0)).to_f64() as i64;
+            let places = i64::from((n * F::from_f64(256.0)).to_f64() as i32);
             let places = if p < F::from_f64(0.0) {
                 -places
             } else {
