@@ -54,7 +54,8 @@ the machine's own limit that is reached.
 
 Every picture is checked: each level, each number of threads and either question of the shadow rays
 must give the scalar path's bytes, and lab-way those of the lab's chain but for one byte in 24,000
-pixels. Close other programs first: the load is printed with the machine.")]
+pixels, or in 32 where many spheres put an edge in most pixels. Close other programs first, since a
+busy machine interrupts slow ways more often than fast ones: the load is printed with the machine.")]
 pub struct Args {
     /// Take a first look: 600x400 only, few spheres, few rounds
     #[arg(long)]

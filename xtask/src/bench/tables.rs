@@ -30,7 +30,7 @@ pub fn text(bench: &Bench) -> String {
     text += "\nGrowth with pixels: Figure 3(c), ns/pixel and wrong bytes\n";
     let size = |row: &Row| format!("{}x{}", row.width, row.height);
     text += &growth("size", &bench.growth_with_pixels, size);
-    text += "\nGrowth with spheres: a plane under them, 64x48, ns/pixel and wrong bytes\n";
+    text += "Growth with spheres: a plane under them, 64x48, ns/pixel and wrong bytes\n";
     let spheres = |row: &Row| grouped(row.spheres as u64);
     text += &growth("spheres", &bench.growth_with_spheres, spheres);
     for Hierarchy {
