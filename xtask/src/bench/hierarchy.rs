@@ -91,7 +91,7 @@ impl<S: Scalar> Hierarchical<S> {
     fn radiance<R: Real<Scalar = S>>(&self, across: R, down: R) -> R::Vector {
         let ray = self.camera.ray(across, down);
         let zero = across.constant(0.0);
-        let background = R::Vector::splat(zero.token(), self.scene.background());
+        let background = R::Vector::splat(zero.token(), &self.scene.background());
         let span = Span::new(zero, R::splat(zero.token(), self.scene.t_max()));
         let hit = self.nearest(&ray, &span);
         if !hit.mask.any() {
@@ -182,7 +182,7 @@ fn keep_nearer<R: Real, G: Shape<R::Scalar>>(
     let outward = object.shape.normal_at::<R>(point);
     let away = outward.dot(ray.direction).gt(hit.t.constant(0.0));
     let normal = R::Vector::select(away, -outward, outward);
-    let color = R::Vector::splat(hit.t.token(), object.color());
+    let color = R::Vector::splat(hit.t.token(), &object.color());
     nearest.mask = nearest.mask | nearer;
     nearest.point = R::Vector::select(nearer, point, nearest.point);
     nearest.normal = R::Vector::select(nearer, normal, nearest.normal);

@@ -152,8 +152,8 @@ impl<R: Real> Line<R> {
     #[inline(always)]
     fn meets(&self, node: &Node<R::Scalar>, min: R, max: R) -> R::Mask {
         let token = min.token();
-        let low = R::Vector::splat(token, node.low) - self.origin;
-        let high = R::Vector::splat(token, node.high) - self.origin;
+        let low = R::Vector::splat(token, &node.low) - self.origin;
+        let high = R::Vector::splat(token, &node.high) - self.origin;
         let (a, b) = (low * self.inverse, high * self.inverse);
         let (enter, leave) = narrowed(min, max, a.x(), b.x());
         let (enter, leave) = narrowed(enter, leave, a.y(), b.y());
