@@ -6,7 +6,7 @@ use crate::case;
 use crate::error::Result;
 use ombrage::{
     Chain, Film, Float, LabChain, Lighting, PerspectiveCamera, Quality, Relative, Shadow, Size,
-    Vector, lab,
+    Triple, Vector, lab,
 };
 use std::array;
 
@@ -52,18 +52,25 @@ fn of<F: Float, C: Chain<F>>(name: &str, chain: &C, size: Size, lanes: usize) ->
     }
 }
 
-/// Computes the picture, `N` pixels at a time, from left to right.
+/// Computes the picture, `N` pixels at a time from left to right, as the kit does: columns, rows and
+/// the background once.
 fn together<F: Float, C: Chain<F>, const N: usize>(chain: &C, size: Size) -> Counts {
+    type Vector3<F, const N: usize> = Triple<Counted<F, N>>;
     let (width, height) = (size.width(), size.height());
+    let bytes = |radiance: Vector3<F, N>| radiance.to_array().map(|x| Film::Clamp.byte(x));
     take();
+    let packet = |first: usize| {
+        let column = |i: usize| (first as u32 + i as u32).min(width - 1);
+        chain.across(Counted(array::from_fn(|i| C::coordinate(column(i), width))))
+    };
+    let columns: Vec<Vector3<F, N>> = (0..width as usize).step_by(N).map(packet).collect();
+    let background = Vector3::<F, N>::splat((), &chain.background());
+    bytes(background);
     for row in 0..height {
-        let down = Counted([C::coordinate(row, height); N]);
-        for first in (0..width).step_by(N) {
-            let column = |i: usize| (first + i as u32).min(width - 1);
-            let across = Counted(array::from_fn(|i| C::coordinate(column(i), width)));
-            let radiance = chain.radiance::<Counted<F, N>>(across, down);
-            for component in radiance.to_array() {
-                Film::Clamp.byte(component);
+        let down = chain.down(Counted([C::coordinate(row, height); N]));
+        for &across in &columns {
+            if let Some((mask, reflected)) = chain.reflected::<Counted<F, N>>(across + down) {
+                bytes(Vector::select(mask, reflected, background));
             }
         }
     }
