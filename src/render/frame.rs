@@ -130,13 +130,14 @@ impl<'a, S: Scalar> Frame<'a, S> {
         for (row, pixels) in (first..).zip(pixels.chunks_exact_mut(width)) {
             let down = chain.down(R::splat(token, C::coordinate(row, self.size.height())));
             for (&across, start) in columns.iter().zip((0..).step_by(R::LANES)) {
+                let target = &mut buffer[start..][..R::LANES + D::SPILL];
                 let components = match chain.reflected::<R>(across + down) {
                     None => blank,
                     Some((mask, reflected)) => {
                         develop.develop::<R>(R::Vector::select(mask, reflected, background))
                     }
                 };
-                D::store::<R>(components, &mut buffer[start..]);
+                D::store::<R>(components, target);
             }
             pixels.copy_from_slice(&buffer[..width]);
         }

@@ -15,6 +15,16 @@ pub enum Format {
     F64,
 }
 
+impl Format {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Format::F32 => "f32",
+            Format::F64 => "f64",
+        }
+    }
+}
+
 /// What to compute with. No choice changes a pixel.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct Machine {

@@ -4,6 +4,8 @@ pub mod moved;
 mod subject;
 mod verdict;
 
+pub(crate) use verdict::differing;
+
 use crate::error::{Error, Result};
 use crate::table::{Table, grouped};
 use crate::{case, clock, output, progress};

@@ -1,6 +1,7 @@
 //! The commands of the kit, and what they share.
 
 pub mod arguments;
+pub mod bench;
 pub mod case;
 pub mod clock;
 pub mod compare;

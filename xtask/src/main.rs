@@ -3,7 +3,7 @@
 use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
-use xtask::{compare, figures, kernels, output, precision, render, shadows, vectors};
+use xtask::{bench, compare, figures, kernels, output, precision, render, shadows, vectors};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
@@ -26,6 +26,7 @@ enum Command {
     Precision(precision::Args),
     Vectors(vectors::Args),
     Render(render::Args),
+    Bench(bench::Args),
 }
 
 fn main() -> ExitCode {
@@ -52,6 +53,7 @@ fn run() -> Result<ExitCode> {
         Some(Command::Precision(args)) => precision::run(&args),
         Some(Command::Vectors(args)) => vectors::run(&args),
         Some(Command::Render(args)) => render::run(&args),
+        Some(Command::Bench(args)) => bench::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;
             Ok(ExitCode::SUCCESS)
