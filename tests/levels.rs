@@ -97,8 +97,9 @@ impl Shot {
             "two packets of {name} at {level}"
         );
 
-        let mut found = vec![F::Vector::constant((), [-1.0; 3]); size.pixels()];
-        Frame::new(chain, size).rows::<Packet<L, F>, _>(token, &Linear, 0, &mut found);
+        let mut found = vec![];
+        let frame = Frame::new(chain, size);
+        frame.rows::<Packet<L, F>, _>(token, &Linear, 0..size.height(), &mut found);
         assert_eq!(
             self.difference::<F>(&found, &expected),
             None,

@@ -6,6 +6,7 @@ use crate::level::Level;
 use crate::picture::Size;
 use crate::real::{DoubleDouble, Job, Lanes, Real, Scalar, in_packets};
 use crate::vector::Vector;
+use std::ops::Range;
 
 /// A picture to be: everything its rows have in common.
 #[derive(Clone, Debug)]
@@ -24,6 +25,8 @@ pub trait Develop<S: Scalar> {
     /// How many pixels [`store`](Develop::store) may write beyond its own.
     const SPILL: usize;
 
+    /// A pixel to be overwritten.
+    fn blank() -> Self::Pixel;
     /// The components to be stored.
     fn develop<R: Lanes<Scalar = S>>(&self, radiance: R::Vector) -> [R; 3];
     /// Writes the lanes' pixels to the start of a slice that has room for them and the spill.
@@ -33,6 +36,10 @@ pub trait Develop<S: Scalar> {
 impl<S: Scalar> Develop<S> for Film {
     type Pixel = [u8; 3];
     const SPILL: usize = 4;
+
+    fn blank() -> [u8; 3] {
+        [0; 3]
+    }
 
     #[inline(always)]
     fn develop<R: Lanes<Scalar = S>>(&self, radiance: R::Vector) -> [R; 3] {
@@ -53,6 +60,10 @@ pub struct Linear;
 impl<S: Scalar> Develop<S> for Linear {
     type Pixel = S::Vector;
     const SPILL: usize = 0;
+
+    fn blank() -> S::Vector {
+        S::Vector::constant((), [0.0; 3])
+    }
 
     #[inline(always)]
     fn develop<R: Lanes<Scalar = S>>(&self, radiance: R::Vector) -> [R; 3] {
@@ -85,21 +96,21 @@ impl<'a, S: Scalar> Frame<'a, S> {
         }
     }
 
-    /// Computes rows, from row `first` on: as many as `pixels` are, `R::LANES` pixels at a time.
+    /// Computes rows, `R::LANES` pixels at a time, and appends them to `pixels`.
     #[inline(always)]
     pub fn rows<R: Lanes<Scalar = S>, D: Develop<S>>(
         &self,
         token: R::Token,
         develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
+        rows: Range<u32>,
+        pixels: &mut Vec<D::Pixel>,
     ) {
         match self.chain {
             ChainKind::Lab(chain) => {
-                self.rows_of::<R, _, D>(chain, token, develop, first, pixels);
+                self.rows_of::<R, _, D>(chain, token, develop, rows, pixels);
             }
             ChainKind::Relative(chain) => {
-                self.rows_of::<R, _, D>(chain, token, develop, first, pixels);
+                self.rows_of::<R, _, D>(chain, token, develop, rows, pixels);
             }
         }
     }
@@ -114,12 +125,11 @@ impl<'a, S: Scalar> Frame<'a, S> {
         chain: &C,
         token: R::Token,
         develop: &D,
-        first: u32,
-        pixels: &mut [D::Pixel],
+        rows: Range<u32>,
+        pixels: &mut Vec<D::Pixel>,
     ) {
         let width = self.size.width() as usize;
-        let Some(&pixel) = pixels.first() else { return };
-        let mut buffer = vec![pixel; width.next_multiple_of(R::LANES) + D::SPILL];
+        let mut buffer = vec![D::blank(); width.next_multiple_of(R::LANES) + D::SPILL];
         let packets = width.div_ceil(R::LANES);
         let mut columns = Vec::with_capacity(packets);
         for lanes in self.columns.chunks_exact(R::LANES).take(packets) {
@@ -127,7 +137,7 @@ impl<'a, S: Scalar> Frame<'a, S> {
         }
         let background = R::Vector::splat(token, &chain.background());
         let blank = develop.develop::<R>(background);
-        for (row, pixels) in (first..).zip(pixels.chunks_exact_mut(width)) {
+        for row in rows {
             let down = chain.down(R::splat(token, C::coordinate(row, self.size.height())));
             for (&across, start) in columns.iter().zip((0..).step_by(R::LANES)) {
                 let target = &mut buffer[start..][..R::LANES + D::SPILL];
@@ -139,7 +149,7 @@ impl<'a, S: Scalar> Frame<'a, S> {
                 };
                 D::store::<R>(components, target);
             }
-            pixels.copy_from_slice(&buffer[..width]);
+            pixels.extend_from_slice(&buffer[..width]);
         }
     }
 }
@@ -147,14 +157,23 @@ impl<'a, S: Scalar> Frame<'a, S> {
 /// Numbers that pictures can be drawn in. Not generic over chain and film, so that the loops over
 /// packets are compiled here, once, and not in every crate that draws.
 pub trait Draw: Sized {
-    /// Computes rows to bytes, from row `first` on, as many as `pixels` are.
-    fn draw(frame: &Frame<'_, Self>, level: Level, film: Film, first: u32, pixels: &mut [[u8; 3]])
-    where
+    /// Computes rows to bytes, and appends them to `pixels`.
+    fn draw(
+        frame: &Frame<'_, Self>,
+        level: Level,
+        film: Film,
+        rows: Range<u32>,
+        pixels: &mut Vec<[u8; 3]>,
+    ) where
         Self: Scalar;
 
     /// The same to linear radiance.
-    fn expose(frame: &Frame<'_, Self>, level: Level, first: u32, pixels: &mut [Self::Vector])
-    where
+    fn expose(
+        frame: &Frame<'_, Self>,
+        level: Level,
+        rows: Range<u32>,
+        pixels: &mut Vec<Self::Vector>,
+    ) where
         Self: Scalar;
 }
 
@@ -165,15 +184,15 @@ macro_rules! draw {
                 frame: &Frame<'_, Self>,
                 level: Level,
                 film: Film,
-                first: u32,
-                pixels: &mut [[u8; 3]],
+                rows: Range<u32>,
+                pixels: &mut Vec<[u8; 3]>,
             ) {
                 $in_lanes(
                     level,
                     Rows {
                         frame,
                         develop: &film,
-                        first,
+                        rows,
                         pixels,
                     },
                 );
@@ -182,15 +201,15 @@ macro_rules! draw {
             fn expose(
                 frame: &Frame<'_, Self>,
                 level: Level,
-                first: u32,
-                pixels: &mut [<Self as Real>::Vector],
+                rows: Range<u32>,
+                pixels: &mut Vec<<Self as Real>::Vector>,
             ) {
                 $in_lanes(
                     level,
                     Rows {
                         frame,
                         develop: &Linear,
-                        first,
+                        rows,
                         pixels,
                     },
                 );
@@ -212,8 +231,8 @@ fn one_by_one<S: Scalar>(_: Level, job: impl Job<S>) {
 struct Rows<'a, S: Scalar, D: Develop<S>> {
     frame: &'a Frame<'a, S>,
     develop: &'a D,
-    first: u32,
-    pixels: &'a mut [D::Pixel],
+    rows: Range<u32>,
+    pixels: &'a mut Vec<D::Pixel>,
 }
 
 impl<S: Scalar, D: Develop<S>> Job<S> for Rows<'_, S, D> {
@@ -224,6 +243,6 @@ impl<S: Scalar, D: Develop<S>> Job<S> for Rows<'_, S, D> {
     #[inline(always)]
     fn run<R: Lanes<Scalar = S>>(self, token: R::Token) {
         self.frame
-            .rows::<R, D>(token, self.develop, self.first, self.pixels);
+            .rows::<R, D>(token, self.develop, self.rows, self.pixels);
     }
 }
