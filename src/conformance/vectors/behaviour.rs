@@ -188,7 +188,7 @@ struct Threshold {
 /// What speaks for and against a behaviour.
 #[derive(Default)]
 struct Tally<'a> {
-    telling: usize,
+    telling: Vec<&'a str>,
     matching: Vec<&'a str>,
     /// Of the cases where the behaviour is right: for misses and for hits, how many there are and
     /// how many are answered right.
@@ -197,7 +197,7 @@ struct Tally<'a> {
 
 impl<'a> Tally<'a> {
     fn tell(&mut self, judged: &Judged<'a>, matches: bool) {
-        self.telling += 1;
+        self.telling.push(judged.case.id());
         if matches {
             self.matching.push(judged.case.id());
         }
@@ -218,7 +218,7 @@ impl<'a> Tally<'a> {
         threshold: Threshold,
     ) -> Option<Evidence<'a>> {
         let matched = self.matching.len();
-        let enough = matched as f64 >= threshold.part * self.telling as f64;
+        let enough = matched as f64 >= threshold.part * self.telling.len() as f64;
         let sound = self.others.iter().all(|(cases, right)| 2 * right >= *cases);
         let case = of.first()?.case;
         (matched >= threshold.matched && enough && sound).then(|| Evidence {
@@ -226,7 +226,7 @@ impl<'a> Tally<'a> {
             kernel: case.kernel(),
             float: case.float(),
             matched,
-            telling: self.telling,
+            telling: self.telling.len(),
             first: self.matching[0],
         })
     }

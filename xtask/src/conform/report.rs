@@ -179,25 +179,26 @@ impl Report {
 
     /// The families of which cases fail.
     fn families(&self) -> String {
-        let mut table = Table::new(&["family", "kind", "prec", "failed", "of", "the first"]);
-        let failed = self.findings.iter().filter(|f| f.code == FAILED);
-        let mut any = false;
-        for finding in failed {
-            any = true;
-            table.row(vec![
-                finding.family.clone().unwrap_or_default(),
-                finding.kind.unwrap_or_default().into(),
-                finding.prec.unwrap_or_default().into(),
-                finding.cases.to_string(),
-                finding.of.unwrap_or_default().to_string(),
-                finding.message.clone(),
-            ]);
+        let mut table = Table::new(&["families that fail", "f32", "f64", "the first"]);
+        let mut rows: BTreeMap<String, (BTreeMap<&str, String>, &str)> = BTreeMap::new();
+        for finding in self.findings.iter().filter(|f| f.code == FAILED) {
+            let (kind, prec) = (finding.kind.unwrap_or_default(), finding.prec);
+            let family = finding.family.as_deref().unwrap_or_default();
+            let (cells, _) = rows
+                .entry(format!("{kind}.{family}"))
+                .or_insert_with(|| (BTreeMap::new(), &finding.message));
+            let failed = format!("{} of {}", finding.cases, finding.of.unwrap_or_default());
+            cells.insert(prec.unwrap_or_default(), failed);
         }
-        if any {
-            format!("\n{}", table.render())
-        } else {
-            String::new()
+        if rows.is_empty() {
+            return String::new();
         }
+        for (family, (mut cells, first)) in rows {
+            let [single, double] = ["f32", "f64"].map(|prec| cells.remove(prec));
+            let cell = |cell: Option<String>| cell.unwrap_or_else(|| "-".into());
+            table.row(vec![family, cell(single), cell(double), first.into()]);
+        }
+        format!("\n{}", table.render())
     }
 
     /// The behaviours, each with what to look for.
@@ -210,12 +211,31 @@ impl Report {
                     .into_iter()
                     .find(|behaviour| behaviour.code() == finding.code);
                 let advice = behaviour.map_or("", Behaviour::advice);
-                text += &format!("\n{}: {advice}.\n", finding.code);
+                text.push('\n');
+                text += &wrapped("", &format!("{}: {advice}.", finding.code));
             }
-            text += &format!("  {}\n", finding.message);
+            text += &wrapped("  ", &finding.message);
         }
         text
     }
+}
+
+/// Text in lines of at most 100 columns, all but the first indented further.
+fn wrapped(indent: &str, text: &str) -> String {
+    let mut lines = String::new();
+    let mut line = indent.to_owned();
+    for word in text.split_whitespace() {
+        if line.chars().count() + 1 + word.chars().count() > 100 {
+            lines += &line;
+            lines.push('\n');
+            line = format!("{indent}   ");
+        }
+        if !line.trim().is_empty() {
+            line.push(' ');
+        }
+        line += word;
+    }
+    lines + &line + "\n"
 }
 
 /// Mean nanoseconds from one answer to the next.

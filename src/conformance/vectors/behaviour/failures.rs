@@ -1,7 +1,7 @@
 //! Behaviours that show as errors of no certain size: the kernels fail where kernels with the
 //! behaviour fail, and others do not.
 
-use super::{Behaviour, Evidence, Judged, Tally, Threshold};
+use super::{Behaviour, Evidence, Judged, Tally, Threshold, is_about_right};
 use crate::conformance::{Kernel, Kernels, Question, promise};
 use crate::float::Float;
 use crate::quality::Quality;
@@ -45,8 +45,9 @@ pub fn recognise<'a, F: Float>(
             }
         } else {
             let class = has_nothing(judged);
-            textbook.other(class, !fails);
-            overflow.other(class, !fails);
+            let right = is_about_right::<F>(judged);
+            textbook.other(class, right);
+            overflow.other(class, right);
         }
     }
     let textbook = textbook

@@ -1,56 +1,88 @@
 //! Behaviours that give another hit, or none: their answers are known beforehand.
 
 use super::predict::{Meet, answer, right, ways};
-use super::{Evidence, Judged, Tally, Threshold, is_about_right};
-use crate::conformance::Answer;
+use super::{Behaviour, Evidence, Judged, Tally, Threshold, is_about_right};
+use crate::conformance::{Answer, Question};
 use crate::float::Float;
 use std::collections::BTreeSet;
 
-const THRESHOLD: Threshold = Threshold {
-    matched: 2,
-    part: 0.8,
-};
-
-/// What is named, and the ids of the cases that it explains.
-pub fn recognise<'a, F: Float>(group: &[&Judged<'a>]) -> (Vec<Evidence<'a>>, BTreeSet<&'a str>) {
-    let (mut named, mut explained) = (vec![], BTreeSet::new());
-    for (behaviour, ways) in ways::<F>() {
-        let tallies = ways.iter().map(|&meet| tally::<F>(group, meet));
-        let found = tallies.filter_map(|tally| {
-            let evidence = tally.evidence(behaviour, group, THRESHOLD)?;
-            Some((evidence, tally.matching))
-        });
-        let best = found.max_by(|(a, _), (b, _)| {
-            let part = |e: &Evidence| e.matched as f64 / e.telling as f64;
-            let parts = part(a).total_cmp(&part(b));
-            parts.then(a.matched.cmp(&b.matched))
-        });
-        if let Some((evidence, matching)) = best {
-            named.push(evidence);
-            explained.extend(matching);
-        }
-    }
-    (named, explained)
+/// What garbage a unit vector makes that is none depends on the order of operations where the
+/// length is extreme, so half of the cases are enough there.
+fn threshold(behaviour: Behaviour) -> Threshold {
+    let (matched, part) = match behaviour {
+        Behaviour::UnitDirectionAssumed => (3, 0.5),
+        _ => (2, 0.8),
+    };
+    Threshold { matched, part }
 }
 
-fn tally<'a, F: Float>(group: &[&Judged<'a>], meet: Meet<F>) -> Tally<'a> {
+/// A case with what was asked, what would be right and what was answered.
+struct Told<'a, 'b, F: Float> {
+    judged: &'b Judged<'a>,
+    question: Question<F>,
+    right: Answer<F>,
+    told: Option<Answer<F>>,
+    is_right: bool,
+}
+
+/// What is named, and the ids of the cases that it explains: those that tell it from the truth.
+///
+/// The behaviour that explains most cases is named first; what it explains speaks for no other.
+pub fn recognise<'a, F: Float>(group: &[&Judged<'a>]) -> (Vec<Evidence<'a>>, BTreeSet<&'a str>) {
+    let told: Vec<Told<F>> = group
+        .iter()
+        .filter_map(|judged| Told::new(judged))
+        .collect();
+    let (mut named, mut explained) = (vec![], BTreeSet::new());
+    let mut ways: Vec<(Behaviour, &[Meet<F>])> = ways::<F>().to_vec();
+    loop {
+        let tallies = ways.iter().flat_map(|(behaviour, ways)| {
+            let tally = |meet: &Meet<F>| (*behaviour, tally(&told, *meet, &explained));
+            ways.iter().map(tally)
+        });
+        let found = tallies.filter_map(|(behaviour, tally)| {
+            let evidence = tally.evidence(behaviour, group, threshold(behaviour))?;
+            Some((evidence, tally.telling))
+        });
+        let Some((evidence, telling)) = found.max_by_key(|(evidence, _)| evidence.matched) else {
+            return (named, explained);
+        };
+        ways.retain(|(behaviour, _)| *behaviour != evidence.behaviour);
+        named.push(evidence);
+        explained.extend(telling);
+    }
+}
+
+impl<'a, 'b, F: Float> Told<'a, 'b, F> {
+    fn new(judged: &'b Judged<'a>) -> Option<Self> {
+        let question = judged.case.question::<F>().ok()?;
+        Some(Self {
+            judged,
+            right: answer(&question, right::<F>)?,
+            question,
+            told: Answer::of(judged.case.kernel(), &judged.out).ok(),
+            is_right: is_about_right::<F>(judged),
+        })
+    }
+}
+
+fn tally<'a, F: Float>(
+    told: &[Told<'a, '_, F>],
+    meet: Meet<F>,
+    explained: &BTreeSet<&str>,
+) -> Tally<'a> {
     let mut tally = Tally::default();
-    for judged in group {
-        let case = judged.case;
-        let Ok(question) = case.question::<F>() else {
+    let open = |told: &&Told<F>| !explained.contains(told.judged.case.id());
+    for case in told.iter().filter(open) {
+        let Some(predicted) = answer(&case.question, meet) else {
             continue;
         };
-        let answers = [meet, right::<F>].map(|meet| answer(&question, meet));
-        let [Some(predicted), Some(right)] = answers else {
-            continue;
-        };
-        let is_right = is_about_right::<F>(judged);
-        if is_same(&predicted, &right) {
-            tally.other(is_hit(&right), is_right);
+        if is_same(&predicted, &case.right) {
+            tally.other(is_hit(&case.right), case.is_right);
         } else {
-            let told = Answer::<F>::of(case.kernel(), &judged.out);
-            let matches = told.is_ok_and(|told| is_same(&told, &predicted));
-            tally.tell(judged, matches && !is_right);
+            let told = case.told.as_ref();
+            let matches = told.is_some_and(|told| is_same(told, &predicted));
+            tally.tell(case.judged, matches && !case.is_right);
         }
     }
     tally

@@ -2,12 +2,14 @@
 
 use super::Behaviour;
 use crate::conformance::kernels::exact;
+use crate::conformance::surface::Valid;
 use crate::conformance::{Answer, Ends, Kernels, Question, Surface};
 use crate::float::Float;
 use crate::quality::Quality;
 use crate::ray::Ray;
 use crate::real::{DoubleDouble, Real, Scalar};
 use crate::vector::Vector;
+use std::cmp::Ordering;
 
 /// The nearest hit of one surface.
 pub type Meet<F> = fn(&Ray<F>, Ends<F>, &Surface<F>) -> Option<F>;
@@ -22,17 +24,37 @@ pub fn ways<F: Float>() -> [(Behaviour, &'static [Meet<F>]); 6] {
         (Behaviour::TMaxIgnored, const { &[without_end::<F>] }),
         (
             Behaviour::TMinIgnored,
-            const { &[from_zero::<F>, without_start::<F>] },
+            const {
+                &[
+                    from_zero::<F>,
+                    without_start::<F>,
+                    from_constant::<F, 6>,
+                    from_constant::<F, 5>,
+                    from_constant::<F, 4>,
+                    from_constant::<F, 3>,
+                ]
+            },
         ),
         (
             Behaviour::OpenInterval,
-            const { &[after_start::<F>, before_end::<F>, inside::<F>] },
+            const {
+                &[
+                    after_start::<F>,
+                    before_end::<F>,
+                    inside::<F>,
+                    unless_at_start::<F>,
+                    unless_at_an_end::<F>,
+                ]
+            },
         ),
         (
             Behaviour::PlaneCulled,
             const { &[from_the_front::<F>, from_behind::<F>] },
         ),
-        (Behaviour::InsideMissed, const { &[near_root::<F>] }),
+        (
+            Behaviour::InsideMissed,
+            const { &[near_root::<F>, from_outside::<F>, from_off::<F>] },
+        ),
     ]
 }
 
@@ -77,6 +99,15 @@ fn without_start<F: Float>(ray: &Ray<F>, [_, tmax]: Ends<F>, surface: &Surface<F
     right(ray, [-F::MAX, tmax], surface)
 }
 
+/// From 10^-DIGITS, as against acne.
+fn from_constant<F: Float, const DIGITS: i32>(
+    ray: &Ray<F>,
+    [_, tmax]: Ends<F>,
+    surface: &Surface<F>,
+) -> Option<F> {
+    right(ray, [F::from_f64(10f64.powi(-DIGITS)), tmax], surface)
+}
+
 /// The next number up, or down where `way` is -1.
 fn next<F: Float>(x: F, way: f64) -> F {
     if x.to_f64() == 0.0 {
@@ -85,16 +116,27 @@ fn next<F: Float>(x: F, way: f64) -> F {
     x.step(F::from_f64(way))
 }
 
+/// A hit at `tmin` does not count, and the far root is tried. It is the rounded t that is compared.
 fn after_start<F: Float>(ray: &Ray<F>, [tmin, tmax]: Ends<F>, surface: &Surface<F>) -> Option<F> {
-    right(ray, [next(tmin, 1.0), tmax], surface)
+    unless_at_start(ray, [tmin, tmax], surface)
+        .or_else(|| right(ray, [next(tmin, 1.0), tmax], surface).filter(|t| *t > tmin))
 }
 
-fn before_end<F: Float>(ray: &Ray<F>, [tmin, tmax]: Ends<F>, surface: &Surface<F>) -> Option<F> {
-    right(ray, [tmin, next(tmax, -1.0)], surface)
+fn before_end<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
+    right(ray, ends, surface).filter(|t| *t < ends[1])
 }
 
-fn inside<F: Float>(ray: &Ray<F>, [tmin, tmax]: Ends<F>, surface: &Surface<F>) -> Option<F> {
-    right(ray, [next(tmin, 1.0), next(tmax, -1.0)], surface)
+fn inside<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
+    after_start(ray, ends, surface).filter(|t| *t < ends[1])
+}
+
+/// A hit at `tmin` does not count, and no other is tried.
+fn unless_at_start<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
+    right(ray, ends, surface).filter(|t| *t > ends[0])
+}
+
+fn unless_at_an_end<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
+    unless_at_start(ray, ends, surface).filter(|t| *t < ends[1])
 }
 
 /// The sign of dot(d, n); 0 for a sphere.
@@ -122,6 +164,22 @@ fn near_root<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Opt
             right(ray, ends, surface).filter(|t| *t == near)
         }
     }
+}
+
+/// Where the origin is, seen from a sphere; outside of a plane.
+fn side<F: Float>(ray: &Ray<F>, surface: &Surface<F>) -> Ordering {
+    match surface.shape(|x: F| x) {
+        Some(Valid::Sphere(sphere)) => sphere.side(ray.origin),
+        _ => Ordering::Greater,
+    }
+}
+
+fn from_outside<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
+    right(ray, ends, surface).filter(|_| side(ray, surface).is_ge())
+}
+
+fn from_off<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
+    right(ray, ends, surface).filter(|_| side(ray, surface).is_gt())
 }
 
 /// The sphere's roots with a = dot(d, d) left out.
