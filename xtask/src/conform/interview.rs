@@ -111,6 +111,7 @@ impl Asking<'_> {
                 continue;
             };
             if batch.len() > 1 {
+                self.notes.relapse(behaviour, &why);
                 window = 1;
                 continue;
             }

@@ -1,5 +1,8 @@
 //! What a program printed that is no answer in its place.
 
+use ombrage::conformance::Behaviour;
+use std::collections::BTreeMap;
+
 /// How many lines of a sort, and the first of them.
 #[derive(Debug, Default)]
 pub struct Note {
@@ -12,7 +15,7 @@ pub struct Note {
 impl Note {
     fn add(&mut self, text: &str) {
         if self.lines == 0 {
-            self.first = text.chars().take(60).collect();
+            self.first = text.chars().take(100).collect();
         }
         self.lines += 1;
     }
@@ -25,6 +28,7 @@ pub struct Notes {
     unknown: Note,
     twice: Note,
     out_of_order: Note,
+    relapses: BTreeMap<Behaviour, Note>,
 }
 
 impl Notes {
@@ -46,6 +50,24 @@ impl Notes {
     /// An answer before its turn, which counts.
     pub fn out_of_order(&mut self, id: &str) {
         self.out_of_order.add(id);
+    }
+
+    /// It did not go on, among many requests.
+    pub fn relapse(&mut self, behaviour: Behaviour, why: &str) {
+        self.relapses.entry(behaviour).or_default().add(why);
+    }
+
+    /// A sentence on every behaviour that no case alone brings about, `blamed` being those that one
+    /// does; with how many times.
+    pub fn without_a_cause(&self, blamed: &[Behaviour]) -> Vec<(Behaviour, usize, String)> {
+        let relapses = self.relapses.iter();
+        let relapses = relapses.filter(|(behaviour, _)| !blamed.contains(behaviour));
+        let sentence = |(behaviour, note): (&Behaviour, &Note)| {
+            let (times, why) = (note.lines, &note.first);
+            let text = format!("{times} times among many requests, never on one alone: {why}");
+            (*behaviour, times, text)
+        };
+        relapses.map(sentence).collect()
     }
 
     /// A sentence on every sort there is, with how many lines.

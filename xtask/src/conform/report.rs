@@ -322,18 +322,23 @@ fn unanswered(cases: &[Case], interview: &Interview, judged: &[Judged]) -> Vec<F
             finding.cases, finding.message
         );
     }
-    let notes = interview.notes.sentences().into_iter();
-    let notes = notes.map(|(lines, sentence)| Finding {
-        code: Behaviour::Garbled.code(),
-        severity: "error",
-        kind: None,
-        prec: None,
-        family: None,
-        cases: lines,
-        of: None,
-        first: None,
-        message: format!("{lines} {sentence}"),
-    });
+    let blamed: Vec<Behaviour> = findings.keys().map(|(behaviour, ..)| *behaviour).collect();
+    let lines = interview.notes.sentences().into_iter();
+    let lines = lines.map(|(lines, text)| (Behaviour::Garbled, lines, format!("{lines} {text}")));
+    let notes = interview.notes.without_a_cause(&blamed).into_iter();
+    let notes = notes
+        .chain(lines)
+        .map(|(behaviour, cases, message)| Finding {
+            code: behaviour.code(),
+            severity: "error",
+            kind: None,
+            prec: None,
+            family: None,
+            cases,
+            of: None,
+            first: None,
+            message,
+        });
     findings.into_values().chain(notes).collect()
 }
 

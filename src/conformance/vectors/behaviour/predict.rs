@@ -8,7 +8,7 @@ use crate::float::Float;
 use crate::quality::Quality;
 use crate::ray::Ray;
 use crate::real::{DoubleDouble, Real, Scalar};
-use crate::vector::Vector;
+use crate::vector::{Triple, Vector};
 use std::cmp::Ordering;
 
 /// The nearest hit of one surface.
@@ -19,7 +19,7 @@ pub fn ways<F: Float>() -> [(Behaviour, &'static [Meet<F>]); 6] {
     [
         (
             Behaviour::UnitDirectionAssumed,
-            const { &[without_a::<F>, by_distance::<F>] },
+            const { &[without_a::<F>, residual_without_a::<F>, by_distance::<F>] },
         ),
         (Behaviour::TMaxIgnored, const { &[without_end::<F>] }),
         (
@@ -182,8 +182,30 @@ fn from_off<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Opti
     right(ray, ends, surface).filter(|_| side(ray, surface).is_gt())
 }
 
-/// The sphere's roots with a = dot(d, d) left out.
-fn without_a<F: Float>(ray: &Ray<F>, [tmin, tmax]: Ends<F>, surface: &Surface<F>) -> Option<F> {
+/// The sphere's roots with a = dot(d, d) left out of b² - ac.
+fn without_a<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
+    let discriminant =
+        |b: DoubleDouble, from_center: V, _: V, rr| b * b - (from_center.dot(from_center) - rr);
+    unit_roots(ray, ends, surface, discriminant)
+}
+
+/// The same for the discriminant from the distance of the line.
+fn residual_without_a<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
+    let discriminant = |b: DoubleDouble, from_center: V, direction: V, rr| {
+        let aside = from_center + direction * b;
+        rr - aside.dot(aside)
+    };
+    unit_roots(ray, ends, surface, discriminant)
+}
+
+type V = Triple<DoubleDouble>;
+
+fn unit_roots<F: Float>(
+    ray: &Ray<F>,
+    [tmin, tmax]: Ends<F>,
+    surface: &Surface<F>,
+    discriminant: impl Fn(DoubleDouble, V, V, DoubleDouble) -> DoubleDouble,
+) -> Option<F> {
     let Surface::Sphere { center, radius } = *surface else {
         return right(ray, [tmin, tmax], surface);
     };
@@ -191,8 +213,7 @@ fn without_a<F: Float>(ray: &Ray<F>, [tmin, tmax]: Ends<F>, surface: &Surface<F>
     let radius = radius.to_double_double();
     let from_center = origin - center;
     let b = -from_center.dot(direction);
-    let c = from_center.dot(from_center) - radius * radius;
-    let root = (b * b - c).sqrt();
+    let root = discriminant(b, from_center, direction, radius * radius).sqrt();
     let counts = |t: &DoubleDouble| t.to_f64() >= tmin.to_f64() && t.to_f64() <= tmax.to_f64();
     let t = [b - root, b + root].into_iter().find(counts)?;
     Some(F::from_double_double(t)).filter(|t| t.is_finite())
