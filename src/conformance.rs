@@ -8,6 +8,7 @@
 //! truth, and `Trial`, which asks them of anyone's kernels. Without it the
 //! library depends on no JSON and no exact arithmetic.
 
+mod explain;
 mod kernels;
 mod precision;
 mod question;
@@ -16,6 +17,7 @@ mod surface;
 #[cfg(feature = "vectors")]
 mod vectors;
 
+pub use explain::{Agreement, Drawing, Explanation, First, FromLight, Loss, Step, Trace, explain};
 pub use kernels::{Kernels, Offset};
 pub use precision::{
     Allowed, KNOWN_FAILURES, KnownFailure, Precision, known_failures, precision, promise,

@@ -32,7 +32,7 @@ std::optional<float> intersect_sphere(Vector o, Vector d, Vector c, float r, flo
     float first = (dot(f, f) - r * r) / q, second = q / a;
     float near = b >= 0 ? first : second, far = b >= 0 ? second : first;
     for (float t : {near, far})
-        if (t >= tmin && t <= tmax && std::isfinite(t)) return t;
+        if (r > 0 && t >= tmin && t <= tmax && std::isfinite(t)) return t;
     return {};
 }
 

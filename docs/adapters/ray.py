@@ -30,7 +30,7 @@ def dot(a, b):
 def intersect_plane(o, d, q, n, tmin, tmax):
     """The kernel under test: replace it by yours."""
     cosine = dot(d, n)
-    if cosine == 0:
+    if cosine == 0 or not all(map(math.isfinite, o + d + q + n)):
         return None
     t = dot([q[i] - o[i] for i in range(3)], n) / cosine
     return t if tmin <= t <= tmax and math.isfinite(t) else None

@@ -35,8 +35,7 @@ Examples:
 Exit status: 0 it conforms, or does nothing of this; 1 something is wrong; 2 bad usage, or a program
 that cannot run.")]
 pub struct Args {
-    /// Ask only about this kind: ray_plane, ray_sphere, any_hit, light_sample, shade, offset or
-    /// quantise
+    /// Ask only about this kind: a name as in the protocol, such as `ray_sphere`
     #[arg(long, value_name = "KIND", value_parser = kernel)]
     kind: Option<Kernel>,
 

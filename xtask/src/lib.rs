@@ -7,6 +7,7 @@ pub mod compare;
 pub mod conform;
 pub mod draw;
 pub mod error;
+pub mod explain;
 pub mod figures;
 pub mod kernels;
 pub mod output;

@@ -3,7 +3,9 @@
 use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
-use xtask::{compare, conform, figures, kernels, output, precision, render, shadows, vectors};
+use xtask::{
+    compare, conform, explain, figures, kernels, output, precision, render, shadows, vectors,
+};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
@@ -24,6 +26,7 @@ enum Command {
     Compare(compare::Args),
     Kernels(kernels::Args),
     Conform(conform::Args),
+    Explain(explain::Args),
     Precision(precision::Args),
     Vectors(vectors::Args),
     Render(render::Args),
@@ -51,6 +54,7 @@ fn run() -> Result<ExitCode> {
         Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Kernels(args)) => kernels::run(&args),
         Some(Command::Conform(args)) => conform::run(&args),
+        Some(Command::Explain(args)) => explain::run(&args),
         Some(Command::Precision(args)) => precision::run(&args),
         Some(Command::Vectors(args)) => vectors::run(&args),
         Some(Command::Render(args)) => render::run(&args),

@@ -50,7 +50,7 @@ fn main() -> io::Result<()> {
         match fault.as_str() {
             "crashes" | "never-flushes-and-crashes" if is_unlucky => process::abort(),
             "hangs" if id.ends_with("generic.f32.0003") => sleep(),
-            "ends-early" if number == 1000 => return Ok(()),
+            "ends-early" if number == 100 => return Ok(()),
             "says-hello" if number == 0 => writeln!(output, "ready")?,
             "floods" if is_unlucky => loop {
                 output.write_all(&[b'x'; 1 << 16])?;

@@ -5,6 +5,7 @@ use super::{Behaviour, Evidence, Judged, Tally, Threshold, is_about_right};
 use crate::conformance::{Kernel, Kernels, Question, promise};
 use crate::float::Float;
 use crate::quality::Quality;
+use crate::real::Scalar;
 use crate::vector::Vector;
 use std::collections::BTreeSet;
 
@@ -82,7 +83,7 @@ fn has_nothing(judged: &Judged) -> bool {
 fn is_unit<F: Float>(question: &Question<F>) -> bool {
     match question {
         Question::Hit { ray, .. } => {
-            let direction = ray.direction.to_array().map(|x| x.to_f64());
+            let direction = ray.direction.to_array().map(Scalar::to_f64);
             let square: f64 = direction.iter().map(|x| x * x).sum();
             (square - 1.0).abs() < 2e-3
         }
