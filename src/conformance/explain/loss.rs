@@ -121,9 +121,12 @@ pub(super) fn of_sphere(ray: &Ray<D>, sphere: &Sphere<D>, quality: Quality) -> O
     let tangency = Loss::Tangency(ratio(rr, rest));
     // b² - ac, of which the square of the distance to the center is the largest term.
     let cancels = Loss::Cancellation(ratio(b * b, rest * a));
+    // A line as near as this passes the center at 63/64 of the radius or more.
+    let touches = tangency.bits() >= 5.0;
     match quality {
-        Quality::Textbook => worst([tangency, cancels]),
-        Quality::Stable | Quality::Wide => worst([tangency]),
+        _ if touches => Some(tangency),
+        Quality::Textbook => cancels.if_large(),
+        Quality::Stable | Quality::Wide => None,
     }
 }
 

@@ -4,7 +4,7 @@ use super::digits::{digits, exact, scientific};
 use super::verdict::{Shadows, Verdict};
 use crate::error::{Error, Result};
 use ombrage::Size;
-use ombrage::conformance::{Agreement, Explanation, Step};
+use ombrage::conformance::{Agreement, Explanation, Loss, Step};
 use serde_json::{Value, json};
 
 /// Everything that is told.
@@ -46,8 +46,10 @@ impl Told<'_> {
             ["bits", ""],
             ' ',
         );
-        let mut notes: Vec<String> = vec![];
+        let mut notes = Notes::default();
         let (mut shown, mut left_out) = (0, 0);
+        let first = self.explanation.truth.first;
+        let seen = first.map(|first| format!("t {}", self.explanation.object(first.object)));
         let mut steps = self.steps.as_slice();
         while let Some((step, rest)) = steps.split_first() {
             if step.name.starts_with("t ") && self.is_left_out(step, &mut shown) {
@@ -57,26 +59,21 @@ impl Told<'_> {
                 text += &one;
                 steps = rest;
             } else {
-                text += &row(step, &step.name, &mut notes);
+                let used = !step.name.starts_with("t ") || Some(&step.name) == seen.as_ref();
+                text += &row(step, &step.name, used, &mut notes);
                 steps = rest;
             }
         }
         text += &self.bytes(&mut notes);
         if left_out > 0 {
-            notes.push(format!("{left_out} more objects are not shown"));
+            notes.add("", format!("{left_out} more objects are not shown"));
         }
         if self.shadows.is_empty() {
             text += "\nNo shadow ray leaves here.\n";
         } else {
             text += &self.strategies();
         }
-        if !notes.is_empty() {
-            text.push('\n');
-        }
-        for (letter, note) in ('a'..='z').zip(&notes) {
-            text += &format!("{letter}  {note}\n");
-        }
-        text
+        text + &notes.text()
     }
 
     /// Of many objects only those that are hit are shown, and only a few of these.
@@ -91,7 +88,7 @@ impl Told<'_> {
     }
 
     /// The row of the bytes, marked where they wrap or a shadow ray is wrong.
-    fn bytes(&self, notes: &mut Vec<String>) -> String {
+    fn bytes(&self, notes: &mut Notes) -> String {
         let of = |bytes: [u8; 3]| bytes.map(|byte| byte.to_string()).join(" ");
         let Explanation {
             single,
@@ -99,27 +96,25 @@ impl Told<'_> {
             truth,
             ..
         } = self.explanation;
-        let before = notes.len();
-        let wraps = ["red", "green", "blue"]
+        let mut mark = ' ';
+        if single.bytes != truth.bytes || double.bytes != truth.bytes {
+            mark = '!';
+        }
+        for (name, wrap) in ["red", "green", "blue"]
             .into_iter()
-            .zip(self.explanation.wraps());
-        let wraps = wraps.filter_map(|(name, wrap)| Some(format!("byte of {name}: {}", wrap?)));
-        notes.extend(wraps);
+            .zip(self.explanation.wraps())
+        {
+            if let Some(wrap) = wrap {
+                mark = notes.add("", format!("byte of {name}: {wrap}"));
+            }
+        }
         if let Some(shadows) = self.wrong() {
             let [single, double] = shadows.verdicts.map(|verdict| self.word(verdict));
-            notes.push(format!(
-                "L: by {}: {single} in f32, {double} in f64; in truth {}",
-                shadows.name,
-                self.word(self.shadows[0].verdicts[0])
-            ));
+            let truth = self.word(self.shadows[0].verdicts[0]);
+            let name = &shadows.name;
+            let text = format!("L: by {name}: {single} in f32, {double} in f64; in truth {truth}");
+            mark = notes.add("", text);
         }
-        let mark = if notes.len() > before {
-            letter(before)
-        } else if single.bytes != truth.bytes || double.bytes != truth.bytes {
-            '!'
-        } else {
-            ' '
-        };
         let bytes = [single.bytes, double.bytes, truth.bytes].map(of);
         columns(
             "bytes",
@@ -224,16 +219,64 @@ fn is_same(a: Verdict, b: Verdict) -> bool {
     matches!((a, b), (Verdict::By(_), Verdict::By(_)))
 }
 
-/// The letter of a note; the last one for all that come after it.
-fn letter(number: usize) -> char {
-    char::from(b'a' + number.min(25) as u8)
+/// Lines below the table, each with the letter that marks what it is about.
+#[derive(Default)]
+struct Notes(Vec<Note>);
+
+struct Note {
+    /// The vector whose components share it; empty for none.
+    group: String,
+    bits: f64,
+    text: String,
+}
+
+impl Notes {
+    /// Adds a line; its letter, which is the last one for all that come after it.
+    fn add(&mut self, group: &str, text: String) -> char {
+        self.0.push(Note {
+            group: group.into(),
+            bits: 0.0,
+            text,
+        });
+        self.letter()
+    }
+
+    /// Adds a loss, or to the line of another component of the same vector, which tells the worst.
+    fn lose(&mut self, name: &str, loss: Loss) -> char {
+        let group = name.split_once('.').map_or("", |(group, _)| group);
+        let same = self.0.last().is_some_and(|last| last.group == group);
+        if group.is_empty() || !same {
+            self.add(group, String::new());
+        }
+        if let Some(last) = self.0.last_mut().filter(|last| loss.bits() > last.bits) {
+            last.bits = loss.bits();
+            last.text = format!("{name}: {loss}");
+        }
+        self.letter()
+    }
+
+    fn letter(&self) -> char {
+        char::from(b'a' + self.0.len().clamp(1, 26) as u8 - 1)
+    }
+
+    fn text(&self) -> String {
+        let lines = ('a'..='z').zip(&self.0);
+        let lines: String = lines
+            .map(|(letter, note)| format!("{letter}  {}\n", note.text))
+            .collect();
+        if lines.is_empty() {
+            lines
+        } else {
+            format!("\n{lines}")
+        }
+    }
 }
 
 /// A line of the table.
 fn columns(name: &str, values: [&str; 3], ulps: [&str; 2], bits: [&str; 2], mark: char) -> String {
     let ([single, double, truth], [ulps, ulps64], [bits, bits64]) = (values, ulps, bits);
     let line = format!(
-        "{name:<11}{single:<15}{double:<23}{truth:<24}{ulps:>6}{ulps64:>7}{bits:>5}{bits64:>4} {mark}"
+        "{name:<13}{single:<15}{double:<23}{truth:<24}{ulps:>6}{ulps64:>7}{bits:>5}{bits64:>4} {mark}"
     );
     line.trim_end().to_owned() + "\n"
 }
@@ -251,7 +294,7 @@ fn in_one_row(steps: &[Step]) -> Option<(String, &[Step])> {
         (step.single, step.double, step.truth) == (first.single, first.double, first.truth)
     };
     if name != "o" && three.iter().all(same) {
-        return Some((row(&three[0], name, &mut vec![]), rest));
+        return Some((row(&three[0], name, true, &mut Notes::default()), rest));
     }
     let is_exact = |step: &Step| {
         let exactly = |agreement: Option<Agreement>| agreement.is_some_and(|a| a.ulps == 0.0);
@@ -263,22 +306,28 @@ fn in_one_row(steps: &[Step]) -> Option<(String, &[Step])> {
         .map(|step| step.truth.map(|x| digits(x, 17)))
         .collect();
     let text = format!("({})", texts?.join(", "));
-    let short = three.iter().all(is_exact) && text.len() < 15;
-    let texts = [text.as_str(); 3];
-    short.then(|| (columns(name, texts, ["0"; 2], ["24", "53"], ' '), rest))
+    if !three.iter().all(is_exact) {
+        return None;
+    }
+    let line = match text.len() {
+        ..15 => columns(name, [text.as_str(); 3], ["0"; 2], ["24", "53"], ' '),
+        _ => format!("{name:<13}{text} in all three\n"),
+    };
+    Some((line, rest))
 }
 
-/// A line of the table for a number; a new note where digits are lost.
-fn row(step: &Step, name: &str, notes: &mut Vec<String>) -> String {
+/// A line of the table for a number; a new note where digits are lost, unless the number is not
+/// used any further and decides as the truth does.
+fn row(step: &Step, name: &str, is_used: bool, notes: &mut Notes) -> String {
     let (single, double) = step.agreement();
     let far = |agreement: Option<Agreement>| agreement.is_some_and(|a| a.ulps > MARKED);
     let decision = [step.single.is_some(), step.double.is_some()];
     let decision = decision.into_iter().any(|hit| hit != step.truth.is_some());
-    let mark = match step.loss.filter(|_| decision || far(single) || far(double)) {
-        Some(loss) => {
-            notes.push(format!("{name}: {loss}"));
-            letter(notes.len() - 1)
-        }
+    let mark = match step
+        .loss
+        .filter(|_| decision || is_used && (far(single) || far(double)))
+    {
+        Some(loss) => notes.lose(name, loss),
         None if decision => '!',
         None => ' ',
     };
