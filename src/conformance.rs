@@ -3,16 +3,33 @@
 //!
 //! The questions are those of the kernel protocol (`docs/protocol.md`). This module may know all of
 //! the library; nothing in the library knows it.
+//!
+//! The cargo feature `vectors` adds the protocol itself as JSON, the test vectors with their exact
+//! truth, and `Trial`, which asks them of anyone's kernels. Without it the
+//! library depends on no JSON and no exact arithmetic.
 
+mod explain;
 mod kernels;
 mod precision;
+mod question;
 mod shade;
 mod surface;
+#[cfg(feature = "vectors")]
+mod vectors;
 
+pub use explain::{Agreement, Drawing, Explanation, First, FromLight, Loss, Step, Trace, explain};
 pub use kernels::{Kernels, Offset};
-pub use precision::{Allowed, KNOWN_FAILURES, KnownFailure, Precision, known_failures, precision};
+pub use precision::{
+    Allowed, KNOWN_FAILURES, KnownFailure, Precision, known_failures, precision, promise,
+};
+pub use question::{Answer, Question};
 pub use shade::{Shade, Shaded};
 pub use surface::{Ends, Surface};
+#[cfg(feature = "vectors")]
+pub use vectors::{
+    Behaviour, Case, Evidence, Judged, Measured, Trial, Verdict, Wrong, answer, failing, output,
+    recognise, vectors,
+};
 
 /// What a question is about: one kind of the kernel protocol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

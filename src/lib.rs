@@ -107,3 +107,7 @@ pub use vector::{Triple, Vector};
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+#[cfg(all(doctest, feature = "vectors"))]
+#[doc = include_str!("../docs/conform.md")]
+struct Conform;

@@ -16,6 +16,8 @@ pub enum Allowed {
     /// At most k times the a-priori bound of the case, `u * bound_u * |t|`, where it has one. A
     /// decision whose margin is within three of those bounds may fall either way.
     Bound(u32),
+    /// Every byte is at most so far off, and black is where black should be.
+    Bytes(u8),
 }
 
 /// An allowed error with its reason.
@@ -34,6 +36,7 @@ impl fmt::Display for Allowed {
             Allowed::CorrectlyRounded => f.write_str("correctly rounded"),
             Allowed::Ulp(n) => write!(f, "{n} ulp"),
             Allowed::Bound(k) => write!(f, "{k} u B"),
+            Allowed::Bytes(n) => write!(f, "{n} of 255"),
         }
     }
 }
@@ -72,6 +75,26 @@ pub fn precision(kernel: Kernel, quality: Quality, float: &str) -> Precision {
         (Kernel::Shade, _, _) => (Ulp(1), DOUBLE_DOUBLE),
         (Kernel::Offset, _, _) => (Exact, SIDE),
         (Kernel::Quantise, _, _) => (Exact, BYTE),
+    };
+    Precision { allowed, reason }
+}
+
+const EACH_SURFACE: &str = "one truth value, within what the nearest hit of each surface promises";
+const SEVEN: &str = "1 rounding each of the differences, 3 of the square, then 3 more at most";
+const VISIBLE: &str = "what can be seen: a value next to a whole number may round to either side";
+
+/// The error that any kernel can keep, computed with care in the format itself, whatever the order
+/// of its operations: what a stranger's kernels are held to. Without the known failures.
+pub fn promise(kernel: Kernel) -> Precision {
+    use Allowed::{Bound, Bytes, Exact, Ulp};
+    let (allowed, reason) = match kernel {
+        Kernel::RayPlane => (Bound(1), QUOTIENT),
+        Kernel::RaySphere => (Bound(3), RESIDUAL),
+        Kernel::AnyHit => (Bound(3), EACH_SURFACE),
+        Kernel::LightSample => (Ulp(7), SEVEN),
+        Kernel::Shade => (Bytes(1), VISIBLE),
+        Kernel::Offset => (Exact, SIDE),
+        Kernel::Quantise => (Exact, BYTE),
     };
     Precision { allowed, reason }
 }

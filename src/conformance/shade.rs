@@ -78,7 +78,7 @@ impl<F: Float> Shade<F> {
         };
         let cosine = hit.normal.dot(sample.direction);
         let lit = cosine > D::from_f64(ZERO);
-        if !lit || hit.blocked(&shapes, position) {
+        if !lit || !hit.blockers(&shapes, position).is_empty() {
             return developed(black);
         }
         developed(color * sample.radiance * cosine)
@@ -170,18 +170,18 @@ impl<F: Float> Shade<F> {
 }
 
 /// A hit: the objects that share its point, the first one seen.
-struct Met {
-    objects: Vec<usize>,
-    point: V,
-    normal: V,
+pub(super) struct Met {
+    pub objects: Vec<usize>,
+    pub point: V,
+    pub normal: V,
 }
 
 impl Met {
-    /// Whether a surface crosses the way to the light strictly between its ends.
-    fn blocked(&self, shapes: &[Option<Valid<D>>], light: V) -> bool {
-        let crosses = |(number, shape): (usize, &Option<Valid<D>>)| {
-            let own = self.objects.contains(&number);
-            match shape {
+    /// The objects whose surfaces cross the way to the light strictly between its ends.
+    pub fn blockers(&self, shapes: &[Option<Valid<D>>], light: V) -> Vec<usize> {
+        let crosses = |number: &usize| {
+            let own = self.objects.contains(number);
+            match &shapes[*number] {
                 Some(Valid::Plane(plane)) => {
                     let height = self.point - plane.point();
                     let at_point = sign(height.dot(plane.normal()));
@@ -191,7 +191,7 @@ impl Met {
                 None => false,
             }
         };
-        shapes.iter().enumerate().any(crosses)
+        (0..shapes.len()).filter(crosses).collect()
     }
 
     /// By the sides of both ends. Where both are outside, the sphere blocks if the nearest point

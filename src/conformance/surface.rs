@@ -26,7 +26,7 @@ pub enum Surface<F: Float> {
 }
 
 /// A shape that scenes can have.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Valid<S: Scalar> {
     Plane(Plane<S>),
     Sphere(Sphere<S>),

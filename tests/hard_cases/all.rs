@@ -6,18 +6,21 @@ mod random;
 mod report;
 
 use ombrage::Quality;
-use ombrage::conformance::{Kernel, known_failures, precision};
+use ombrage::conformance::{
+    Judged, Kernel, Measured, Trial, failing, known_failures, precision, vectors,
+};
 use report::describe;
 use std::collections::BTreeSet;
-use std::path::Path;
-use xtask::survey::{Judged, Measured, failing, survey, vectors};
 
 /// No case fails but those of the families known to fail; each of these fails; and no stricter error of
 /// the same kind would do for the others.
 fn hold(kernel: Kernel, quality: Quality, float: &str) {
-    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/vectors");
-    let cases = vectors(&directory, kernel).unwrap_or_else(|error| panic!("{error}"));
-    let judged = survey(kernel, quality, float, &cases);
+    let cases = vectors(kernel).unwrap_or_else(|error| panic!("{error}"));
+    let Trial {
+        judged,
+        unsupported,
+    } = Trial::of_kit(&cases, quality, float);
+    assert!(unsupported.is_empty(), "{unsupported:?}");
     assert!(judged.len() >= 100, "only {} cases", judged.len());
     let findings = findings(kernel, quality, float, &judged);
     let name = format!("{} {} {float}", kernel.name(), quality.name());
@@ -29,10 +32,7 @@ fn findings(kernel: Kernel, quality: Quality, float: &str, judged: &[Judged]) ->
     let known: BTreeSet<&str> = known_failures(kernel, quality, float)
         .map(|(family, _)| family)
         .collect();
-    let is_known = |judged: &&Judged| {
-        let family = judged.case["family"].as_str();
-        family.is_some_and(|family| known.contains(family))
-    };
+    let is_known = |judged: &&Judged| known.contains(judged.case.family());
     let mut findings: Vec<String> = judged
         .iter()
         .filter(|judged| judged.fails && !is_known(judged))

@@ -1,14 +1,12 @@
 //! Random spheres and planes at coordinates between 10^-8 and 10^8, and rays a few units in the last
 //! place from tangency, against the oracle.
 
-use ombrage::conformance::{Allowed, Kernel};
+use ombrage::conformance::{Allowed, Case, Judged, Kernel, Kernels, output};
 use ombrage::{Float, Quality, Scalar};
 use ombrage_oracle::{Format, truth};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use serde_json::{Value, json};
-use xtask::judge::{fails, judge};
-use xtask::protocol::output;
 
 /// A number of either sign between 10^-8 and 10^8, uniform in its logarithm.
 fn coordinate<F: Float>() -> impl Strategy<Value = F> + Clone {
@@ -35,19 +33,14 @@ fn request<F: Float>(kind: &str, mut input: Value) -> Value {
 /// The oracle's truth about a request, and the kit's answer, within what is allowed.
 fn check(mut case: Value, quality: Quality, allowed: Allowed) -> Result<(), TestCaseError> {
     case["exp"] = truth(&case).map_err(|error| TestCaseError::fail(error.to_string()))?;
-    let kernels = ombrage::conformance::Kernels {
+    let kernels = Kernels {
         quality,
         shadow: None,
     };
     let out = output(&kernels, &case).and_then(|out| out);
     let out = out.map_err(TestCaseError::fail)?;
-    let verdict = judge(&case, &out);
-    let judged = xtask::survey::Judged {
-        fails: fails(&case, &verdict, allowed),
-        case: &case,
-        out,
-        verdict,
-    };
+    let case = Case::new(case).map_err(TestCaseError::fail)?;
+    let judged = Judged::new(&case, out, allowed);
     prop_assert!(!judged.fails, "{}", crate::report::describe(&judged));
     Ok(())
 }

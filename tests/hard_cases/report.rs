@@ -1,8 +1,8 @@
 //! A failing case in full: inputs, expected and actual, as decimal, hex and bits.
 
+use ombrage::conformance::Judged;
 use serde_json::Value;
 use std::fmt::Write;
-use xtask::survey::Judged;
 
 /// The case, what it expects, what was answered, and the distance in between.
 pub fn describe(judged: &Judged) -> String {
@@ -11,7 +11,9 @@ pub fn describe(judged: &Judged) -> String {
     } = judged;
     let mut text = format!(
         "{} ({:?}, {:.3} ulp",
-        case["id"], verdict.wrong, verdict.ulps
+        case.id(),
+        verdict.wrong,
+        verdict.ulps
     );
     if let Some(bounds) = verdict.bounds {
         // Writing to a string cannot fail.
@@ -19,8 +21,8 @@ pub fn describe(judged: &Judged) -> String {
     }
     text += ")\n";
     for (what, value) in [
-        ("in", &case["in"]),
-        ("expected", &case["exp"]),
+        ("in", &case.value()["in"]),
+        ("expected", case.truth()),
         ("actual", out),
     ] {
         let _ = writeln!(text, "  {what}");

@@ -1,8 +1,7 @@
 //! `cargo xtask kernels`: the kit's kernels as a program that speaks the kernel protocol.
 
 use crate::error::{Error, Result};
-use crate::protocol::answer;
-use ombrage::conformance::Kernels;
+use ombrage::conformance::{Kernels, answer};
 use ombrage::{Quality, Shadow};
 use serde_json::{Value, json};
 use std::io::{self, BufRead, ErrorKind, Write};

@@ -3,7 +3,9 @@
 use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
-use xtask::{bench, compare, figures, kernels, output, precision, render, shadows, vectors};
+use xtask::{
+    bench, compare, conform, explain, figures, kernels, output, precision, render, shadows, vectors,
+};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]
@@ -23,6 +25,8 @@ enum Command {
     Shadows(shadows::Args),
     Compare(compare::Args),
     Kernels(kernels::Args),
+    Conform(conform::Args),
+    Explain(explain::Args),
     Precision(precision::Args),
     Vectors(vectors::Args),
     Render(render::Args),
@@ -50,6 +54,8 @@ fn run() -> Result<ExitCode> {
         Some(Command::Shadows(args)) => shadows::run(&args),
         Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Kernels(args)) => kernels::run(&args),
+        Some(Command::Conform(args)) => conform::run(&args),
+        Some(Command::Explain(args)) => explain::run(&args),
         Some(Command::Precision(args)) => precision::run(&args),
         Some(Command::Vectors(args)) => vectors::run(&args),
         Some(Command::Render(args)) => render::run(&args),

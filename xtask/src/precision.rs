@@ -32,11 +32,10 @@ pub struct Args {
 /// Runs the command.
 ///
 /// # Errors
-/// If the vectors cannot be read or the file not be written.
+/// If the file cannot be written.
 pub fn run(args: &Args) -> Result<ExitCode> {
     let root = workspace::root()?;
-    let vectors = root.join("tests").join("vectors");
-    let errors = document::errors(&vectors).map_err(Error::new)?;
+    let errors = document::errors().map_err(Error::new)?;
     let path = root.join("docs").join("precision.md");
     if args.check {
         let text = fs::read_to_string(&path).unwrap_or_default();
@@ -50,7 +49,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         ))?;
         return Ok(ExitCode::from(1));
     }
-    let costs = document::costs(&vectors).map_err(Error::new)?;
+    let costs = document::costs().map_err(Error::new)?;
     let text = errors + document::COSTS + &costs;
     let mut file = WholeFile::create(&path)?;
     file.write(|file| file.write_all(text.as_bytes()))?;

@@ -1,10 +1,10 @@
 //! The text of docs/precision.md.
 
 use super::cost::{KERNELS, costs as measure};
-use crate::survey::{Judged, Measured, survey, vectors};
 use ombrage::Quality;
-use ombrage::conformance::{Allowed, KNOWN_FAILURES, Kernel, known_failures, precision};
-use std::path::Path;
+use ombrage::conformance::{
+    Allowed, Judged, KNOWN_FAILURES, Kernel, Measured, Trial, known_failures, precision, vectors,
+};
 
 /// The line at which the costs begin, which differ from one machine and run to the next.
 pub const COSTS: &str = "## Speed against error\n";
@@ -55,21 +55,21 @@ own chain need no better quality than the default, since they rest on sides and 
 /// Everything but the costs.
 ///
 /// # Errors
-/// If the vectors cannot be read.
-pub fn errors(directory: &Path) -> Result<String, String> {
+/// None: the vectors are valid.
+pub fn errors() -> Result<String, String> {
     let mut text = HEAD.to_owned();
     let (mut beyond, mut all_cases) = ([0; 3], 0);
     text += "## Errors\n\n";
     text += "| kernel | quality | float | allowed | measured | cases | wrong decisions | wrong roots | \
         families known to fail | why no less |\n|---|---|---|---|---|---|---|---|---|---|\n";
     for kernel in Kernel::ALL {
-        let cases = vectors(directory, kernel)?;
+        let cases = vectors(kernel)?;
         for (quality, beyond) in Quality::ALL.into_iter().zip(&mut beyond) {
             if !kernel.has_qualities() && quality != Quality::default() {
                 continue;
             }
             for float in ["f32", "f64"] {
-                let judged = survey(kernel, quality, float, &cases);
+                let judged = Trial::of_kit(&cases, quality, float).judged;
                 let known = known_failures(kernel, quality, float).count();
                 let all = Measured::of(&judged);
                 if kernel.has_qualities() {
@@ -116,7 +116,9 @@ pub fn errors(directory: &Path) -> Result<String, String> {
 
 fn measured(measured: &Measured, allowed: Allowed) -> String {
     match allowed {
-        Allowed::Exact => format!("{} wrong", measured.decisions + measured.others),
+        Allowed::Exact | Allowed::Bytes(_) => {
+            format!("{} wrong", measured.decisions + measured.others)
+        }
         Allowed::CorrectlyRounded | Allowed::Ulp(_) => format!("{:.3} ulp", measured.ulps),
         Allowed::Bound(_) => format!("{:.3} u B", measured.bounds),
     }
@@ -125,8 +127,8 @@ fn measured(measured: &Measured, allowed: Allowed) -> String {
 /// What each quality costs on this machine, beside its error.
 ///
 /// # Errors
-/// If the vectors cannot be read.
-pub fn costs(directory: &Path) -> Result<String, String> {
+/// None: the vectors are valid.
+pub fn costs() -> Result<String, String> {
     let mut text = "
 Scalar code on one core, all qualities in turns in one process: the median of 301 measurements of 512
 calls, and the median ratio to `textbook` of measurements in a row. They differ between machines and
@@ -141,11 +143,11 @@ roots; beyond: cases whose error is beyond what is allowed, known failures inclu
         .into_iter()
         .filter(|kernel| KERNELS.contains(&kernel.name()))
     {
-        let cases = vectors(directory, kernel)?;
+        let cases = vectors(kernel)?;
         let costs = [measure::<f32>(kernel.name()), measure::<f64>(kernel.name())];
         for (float, costs) in ["f32", "f64"].into_iter().zip(costs) {
             for (quality, cost) in Quality::ALL.into_iter().zip(costs) {
-                let judged = survey(kernel, quality, float, &cases);
+                let judged = Trial::of_kit(&cases, quality, float).judged;
                 let all = Measured::of(&judged);
                 let allowed = precision(kernel, quality, float).allowed;
                 text += &format!(
@@ -169,6 +171,6 @@ roots; beyond: cases whose error is beyond what is allowed, known failures inclu
 fn outside_known(judged: &[Judged], kernel: Kernel, quality: Quality, float: &str) -> Measured {
     let known =
         |family: &str| known_failures(kernel, quality, float).any(|(failing, _)| failing == family);
-    let regular = |judged: &&Judged| !judged.case["family"].as_str().is_some_and(known);
+    let regular = |judged: &&Judged| !known(judged.case.family());
     Measured::of(judged.iter().filter(regular))
 }

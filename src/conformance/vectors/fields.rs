@@ -1,12 +1,14 @@
 //! Reading the inputs of a request, and writing floats as their bits.
 
-use ombrage::conformance::{Ends, Surface};
-use ombrage::{Float, Ray, Vector};
+use crate::conformance::{Ends, Surface};
+use crate::float::Float;
+use crate::ray::Ray;
+use crate::vector::Vector;
 use serde_json::{Value, json};
 
 /// A JSON object whose floats are bits of one format.
 #[derive(Clone, Copy, Debug)]
-pub struct Fields<'a>(&'a Value);
+pub(super) struct Fields<'a>(&'a Value);
 
 /// What is wrong with a value, and what it should be.
 fn wrong(key: &str, value: &Value, expected: &str) -> String {
@@ -21,7 +23,7 @@ fn wrong(key: &str, value: &Value, expected: &str) -> String {
 ///
 /// # Errors
 /// If there is none: its name.
-pub fn member<'a>(value: &'a Value, key: &str) -> Result<&'a Value, String> {
+pub(super) fn member<'a>(value: &'a Value, key: &str) -> Result<&'a Value, String> {
     let missing = || format!("key \"{key}\" is missing");
     value.get(key).ok_or_else(missing)
 }
@@ -30,7 +32,7 @@ pub fn member<'a>(value: &'a Value, key: &str) -> Result<&'a Value, String> {
 ///
 /// # Errors
 /// If it is missing or another word.
-pub fn word<T>(
+pub(super) fn word<T>(
     value: &Value,
     key: &str,
     expected: &str,
@@ -74,6 +76,13 @@ impl<'a> Fields<'a> {
             )),
             _ => Err(wrong(key, value, "an array of three floats")),
         }
+    }
+
+    /// A truth value.
+    pub fn truth(&self, key: &str) -> Result<bool, String> {
+        let value = member(self.0, key)?;
+        let expected = || wrong(key, value, "true or false");
+        value.as_bool().ok_or_else(expected)
     }
 
     /// The ray `o`, `d`.
@@ -129,6 +138,15 @@ impl<'a> Fields<'a> {
     }
 }
 
+/// A whole number that a byte can hold.
+///
+/// # Errors
+/// If it is none: what it is instead.
+pub(super) fn byte(key: &str, value: &Value) -> Result<u8, String> {
+    let byte = value.as_u64().and_then(|byte| u8::try_from(byte).ok());
+    byte.ok_or_else(|| wrong(key, value, "a whole number from 0 to 255"))
+}
+
 fn number<F: Float>(key: &str, value: &Value) -> Result<F, String> {
     float(value).ok_or_else(|| {
         let digits = F::from_f64(0.0).hex().len();
@@ -138,7 +156,7 @@ fn number<F: Float>(key: &str, value: &Value) -> Result<F, String> {
 }
 
 /// The float with these bits, if there are as many digits as its format has.
-pub fn float<F: Float>(value: &Value) -> Option<F> {
+pub(super) fn float<F: Float>(value: &Value) -> Option<F> {
     let hex = value.as_str()?;
     let digits = hex.bytes().all(|byte| byte.is_ascii_hexdigit());
     if !digits || hex.len() != F::from_f64(0.0).hex().len() {
@@ -148,6 +166,6 @@ pub fn float<F: Float>(value: &Value) -> Option<F> {
 }
 
 /// The bits of three floats.
-pub fn bits<F: Float>(v: F::Vector) -> Value {
+pub(super) fn bits<F: Float>(v: F::Vector) -> Value {
     json!(v.to_array().map(Float::hex))
 }

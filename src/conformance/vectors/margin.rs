@@ -1,12 +1,15 @@
 //! How near a decision is to being another one.
 
-use ombrage::conformance::{Ends, Surface};
-use ombrage::{Float, Ray, Scalar, Vector};
+use crate::conformance::{Ends, Surface};
+use crate::float::Float;
+use crate::ray::Ray;
+use crate::real::Scalar;
+use crate::vector::Vector;
 use ombrage_oracle::error::in_units;
 use ombrage_oracle::{Format, Plane, Ray as ExactRay, Real, Sphere};
 
 /// The oracle's name of the format.
-pub fn format<F: Float>() -> Format {
+pub(super) fn format<F: Float>() -> Format {
     if F::PRECISION == f32::MANTISSA_DIGITS {
         Format::F32
     } else {
@@ -15,7 +18,7 @@ pub fn format<F: Float>() -> Format {
 }
 
 /// Three floats as the oracle takes them.
-pub fn doubles<F: Float>(v: F::Vector) -> [f64; 3] {
+pub(super) fn doubles<F: Float>(v: F::Vector) -> [f64; 3] {
     v.to_array().map(Scalar::to_f64)
 }
 
@@ -25,7 +28,7 @@ pub fn doubles<F: Float>(v: F::Vector) -> [f64; 3] {
 /// With f the distance of the origin from the center and m that of the line, a stable form knows m
 /// to k u (f + m), so the margin 1 - (m/r)² to what that makes of the square. A root of exactly 0
 /// and a parallel ray have no bound, and are near only to an end of 0 and to any.
-pub fn is_marginal<F: Float>(
+pub(super) fn is_marginal<F: Float>(
     ray: &Ray<F>,
     [tmin, tmax]: Ends<F>,
     surface: &Surface<F>,
