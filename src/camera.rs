@@ -3,7 +3,7 @@
 use crate::error::Invalid;
 use crate::quality::unit;
 use crate::ray::Ray;
-use crate::real::{Real, Scalar};
+use crate::real::{Constant, Real, Scalar};
 use crate::vector::Vector;
 
 /// How a camera stands: everything about it that a person chooses.
@@ -86,7 +86,7 @@ impl<S: Scalar> PerspectiveCamera<S> {
 /// Three directions at right angles: from the camera to the middle of the viewport at distance 1,
 /// and from there to the middle of its right and its upper edge.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Axes<S: Scalar> {
+pub(crate) struct Axes<S: Constant> {
     pub forward: S::Vector,
     pub right: S::Vector,
     pub up: S::Vector,
@@ -110,13 +110,18 @@ impl<S: Scalar> View<S> {
         let must_be = "a direction that is not parallel to the view";
         Invalid::unless_vector::<S>(right.is_unit(), "camera up", up, must_be)?;
 
-        let tangent = S::tan_half(fov);
-        let up = backward.cross(right) * tangent;
-        Ok(Axes {
+        Ok(Axes::new(backward, right, S::tan_half(fov), aspect))
+    }
+}
+
+impl<S: Constant> Axes<S> {
+    /// From unit vectors, the tangent of half the field of view, and the aspect.
+    pub fn new(backward: S::Vector, right: S::Vector, tangent: S, aspect: S) -> Self {
+        Self {
             forward: -backward,
             right: right * (tangent * aspect),
-            up,
-        })
+            up: backward.cross(right) * tangent,
+        }
     }
 }
 

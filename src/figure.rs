@@ -7,8 +7,10 @@ use crate::film::Film;
 use crate::integrator::{DirectLighting, Integrator, ShadowQuery};
 use crate::lab;
 use crate::picture::{Picture, Size};
+use crate::proven::Proven;
 use crate::quality::Quality;
 use crate::real::Scalar;
+use crate::relative::Lighting;
 use crate::render::Engine;
 use crate::shadow::Shadow;
 use crate::survey::{Pixel, Survey, visit};
@@ -144,6 +146,33 @@ impl Figure {
 }
 
 impl Figure {
+    /// What the figure shows in exact mathematics. `None` where it shows errors of rounding: 3(a)
+    /// and 3(b).
+    pub fn lighting(&self) -> Option<Lighting> {
+        match self.integrator {
+            Integrator::RayCast(_) => Some(Lighting::Eye),
+            Integrator::DirectLighting(direct) => match direct.shadow {
+                None => Some(Lighting::Unshadowed),
+                Some(Shadow::SelfHitting) => None,
+                Some(_) => Some(Lighting::Shadowed),
+            },
+        }
+    }
+
+    /// Draws the figure as exact mathematics has it, with an engine of choice; `None` for a figure
+    /// that shows errors of rounding.
+    ///
+    /// # Errors
+    /// None; the lab's scene is valid.
+    pub fn prove_with(&self, size: Size, engine: Engine) -> Result<Option<Proven>, Invalid> {
+        let Some(lighting) = self.lighting() else {
+            return Ok(None);
+        };
+        let (scene, view) = (lab::scene()?, lab::view());
+        let proven = engine.render_proven(&scene, &view, size, lighting, self.film)?;
+        Ok(Some(proven))
+    }
+
     /// What happens at every pixel of the figure; for an enlarged detail, of the whole picture.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! The two formats of IEEE 754 that kernels are judged in: `f32` and `f64`.
 
-use crate::real::{DoubleDouble, Real, Scalar};
+use crate::real::{Constant, DoubleDouble, Real, Scalar};
 use std::fmt::{Debug, Display, LowerExp};
 
 /// `f32` or `f64`: a scalar whose bits can be seen, and compared place by place.
@@ -132,18 +132,21 @@ macro_rules! float {
 float!(f32, u32, i32, glam::Vec3);
 float!(f64, u64, i64, glam::DVec3);
 
-impl Scalar for f32 {
-    type Wide = f64;
-
-    const NAME: &'static str = "f32";
+impl Constant for f32 {
     const EPSILON: f64 = f32::EPSILON as f64;
-    const MAX: f32 = f32::MAX;
     const MIN_POSITIVE: f64 = f32::MIN_POSITIVE as f64;
 
     #[inline(always)]
     fn from_f64(value: f64) -> f32 {
         value as f32
     }
+}
+
+impl Scalar for f32 {
+    type Wide = f64;
+
+    const NAME: &'static str = "f32";
+    const MAX: f32 = f32::MAX;
 
     #[inline(always)]
     fn to_f64(self) -> f64 {
@@ -170,18 +173,21 @@ impl Scalar for f32 {
     }
 }
 
-impl Scalar for f64 {
-    type Wide = DoubleDouble;
-
-    const NAME: &'static str = "f64";
+impl Constant for f64 {
     const EPSILON: f64 = f64::EPSILON;
-    const MAX: f64 = f64::MAX;
     const MIN_POSITIVE: f64 = f64::MIN_POSITIVE;
 
     #[inline(always)]
     fn from_f64(value: f64) -> f64 {
         value
     }
+}
+
+impl Scalar for f64 {
+    type Wide = DoubleDouble;
+
+    const NAME: &'static str = "f64";
+    const MAX: f64 = f64::MAX;
 
     #[inline(always)]
     fn to_f64(self) -> f64 {

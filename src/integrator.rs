@@ -2,7 +2,7 @@
 
 use crate::quality::Quality;
 use crate::ray::{Ray, Span};
-use crate::real::{Mask, Real};
+use crate::real::{Mask, Real, Scalar};
 use crate::scene::{HitRecord, Scene};
 use crate::shadow::{Shadow, ShadowRay};
 use crate::vector::Vector;
@@ -50,7 +50,11 @@ impl Integrator {
 
     /// The radiance along a ray: a linear colour; the background's where nothing is hit.
     #[inline(always)]
-    pub fn radiance<R: Real>(self, scene: &Scene<R::Scalar>, ray: &Ray<R>) -> R::Vector {
+    pub fn radiance<R: Real<Scalar: Scalar>>(
+        self,
+        scene: &Scene<R::Scalar>,
+        ray: &Ray<R>,
+    ) -> R::Vector {
         let background = R::Vector::splat(ray.origin.x().token(), &scene.background());
         match self.reflected(scene, ray) {
             None => background,
@@ -61,7 +65,7 @@ impl Integrator {
     /// What the objects send back along a ray, and in which lanes there is one; `None` where there
     /// is none in any.
     #[inline(always)]
-    pub(crate) fn reflected<R: Real>(
+    pub(crate) fn reflected<R: Real<Scalar: Scalar>>(
         self,
         scene: &Scene<R::Scalar>,
         ray: &Ray<R>,
@@ -81,7 +85,11 @@ impl DirectLighting {
     /// The light that a hit point sends back, from all lights it can see (the lab's
     /// `_directLighting`).
     #[inline(always)]
-    fn radiance<R: Real>(self, scene: &Scene<R::Scalar>, hit: &HitRecord<R>) -> R::Vector {
+    fn radiance<R: Real<Scalar: Scalar>>(
+        self,
+        scene: &Scene<R::Scalar>,
+        hit: &HitRecord<R>,
+    ) -> R::Vector {
         let zero = hit.distance.constant(0.0);
         let mut sum = R::Vector::new(zero, zero, zero);
         for light in scene.lights() {
@@ -106,7 +114,11 @@ impl DirectLighting {
 
     /// Whether anything stands on this part of the ray.
     #[inline(always)]
-    fn blocked<R: Real>(self, scene: &Scene<R::Scalar>, shadow: &ShadowRay<R>) -> R::Mask {
+    fn blocked<R: Real<Scalar: Scalar>>(
+        self,
+        scene: &Scene<R::Scalar>,
+        shadow: &ShadowRay<R>,
+    ) -> R::Mask {
         let ShadowRay { ray, span, skip } = shadow;
         match (self.query, skip) {
             (ShadowQuery::Nearest, None) => scene.intersect(ray, span, self.quality).mask,

@@ -31,6 +31,7 @@
 //! | the default for pictures: relative to the camera, shadows without epsilon | [`Relative`], [`Lighting`] |
 //! | SIMD packets and threads, the same bits at every level | [`Engine`], [`Level`] |
 //! | what happens at every pixel | [`Survey`], [`Relative::follow`] |
+//! | every byte proven, by numbers that carry their error | [`render_proven`], [`Bounded`] |
 //! | allowed errors, and kernels to judge others by | [`conformance`] |
 //!
 //! # Figure 3(c) in ten lines
@@ -71,6 +72,7 @@ mod leave;
 mod level;
 mod light;
 mod picture;
+mod proven;
 mod quality;
 mod ray;
 mod real;
@@ -93,9 +95,13 @@ pub use leave::leave;
 pub use level::{Level, NoSuchLevel};
 pub use light::{LightSample, PointLight};
 pub use picture::{Picture, Size};
+pub use proven::{Proven, Prover, Rung, Undecided, render_proven};
 pub use quality::Quality;
 pub use ray::{Ray, Span};
-pub use real::{DoubleDouble, Job, Lane, Lanes, Mask, Packet, PacketMask, Pair, Real, Scalar};
+pub use real::{
+    ALLOWANCE, Bounded, Constant, DoubleDouble, Job, Kleene, Lane, Lanes, Mask, Packet, PacketMask,
+    Pair, Precise, Proof, Real, Rigorous, Rounded, Scalar,
+};
 pub use relative::{Lighting, Relative};
 pub use render::{Develop, Draw, Engine, Frame, Linear, render, render_radiance};
 pub use scene::{HitRecord, Object, Scene};

@@ -128,7 +128,7 @@ fn halves<S: Scalar>(color: S::Vector, power: S) -> [S::Vector; 2] {
 
 /// `a - b` over the unit of a scale: 1, or 2 where the difference itself would overflow.
 #[inline(always)]
-fn difference<R: Real>(a: R::Vector, b: R::Vector) -> (R::Vector, Scale<R>) {
+fn difference<R: Real<Scalar: Scalar>>(a: R::Vector, b: R::Vector) -> (R::Vector, Scale<R>) {
     let plain = a - b;
     let largest = R::splat(plain.x().token(), R::Scalar::MAX);
     let [x, y, z] = plain.abs().to_array();

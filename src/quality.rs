@@ -1,6 +1,6 @@
 //! How well a kernel computes: three qualities of the same formulas.
 
-use crate::real::{Real, Scalar};
+use crate::real::{Constant, Real, Scalar};
 use crate::vector::Vector;
 
 /// How well the kernels compute. The error of each is in `docs/precision.md`.

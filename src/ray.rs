@@ -1,6 +1,6 @@
 //! Rays, and the part of a ray on which a hit counts.
 
-use crate::real::{Real, Scalar};
+use crate::real::{Constant, Real, Scalar};
 use crate::vector::Vector;
 
 /// A half-line of points `origin + t direction`. The direction may have any length but zero; `t`
@@ -58,7 +58,7 @@ pub struct Span<R: Real> {
     pub max: R,
 }
 
-impl<R: Real> Span<R> {
+impl<R: Real<Scalar: Scalar>> Span<R> {
     /// The interval `[min, max]`. A `max` of infinity means every finite parameter.
     #[inline(always)]
     pub fn new(min: R, max: R) -> Self {

@@ -11,16 +11,19 @@
 //! counts. A division by zero or the root of a negative number ends in a false mask by itself,
 //! since every comparison with NaN is false.
 
+mod bounded;
 mod double_double;
+pub(crate) mod exact;
 pub(crate) mod expansion;
 mod lanes;
 mod packet;
 mod pair;
 
+pub use bounded::{ALLOWANCE, Bounded, Kleene, Proof, Rigorous, Rounded};
 pub use double_double::DoubleDouble;
 pub use lanes::{Job, Lanes};
-pub(crate) use packet::in_packets;
 pub use packet::{Lane, Packet, PacketMask};
+pub(crate) use packet::{in_packets, in_single_packets};
 pub use pair::Pair;
 
 use crate::render::Draw;
@@ -55,7 +58,7 @@ pub trait Real:
     + Neg<Output = Self>
 {
     /// One lane of this number: what scenes are made of.
-    type Scalar: Scalar;
+    type Scalar: Constant;
     /// The answer of a comparison.
     type Mask: Mask;
     /// Three of these numbers: a point, a direction or a colour.
@@ -107,6 +110,36 @@ pub trait Real:
         other.le(self)
     }
 
+    /// Whether the two numbers are the same.
+    #[inline(always)]
+    fn is(self, other: Self) -> Self::Mask {
+        self.ge(other) & self.le(other)
+    }
+
+    /// The reciprocal of the square root, by way of the reciprocal: the root halves its error.
+    #[inline(always)]
+    fn inverse_root(self) -> Self {
+        (self.constant(1.0) / self).sqrt()
+    }
+
+    /// `x x' + y y' + z z'`, summed from the left.
+    #[inline(always)]
+    fn sum_of_products([x, y, z]: [Self; 3], [u, v, w]: [Self; 3]) -> Self {
+        x * u + y * v + z * w
+    }
+
+    /// `x² + y² + z²`, summed from the left.
+    #[inline(always)]
+    fn sum_of_squares([x, y, z]: [Self; 3]) -> Self {
+        x * x + y * y + z * z
+    }
+
+    /// `a b - c d`.
+    #[inline(always)]
+    fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
+        a * b - c * d
+    }
+
     /// A constant beside this number: `value` rounded to the format, in every lane.
     #[inline(always)]
     fn constant(self, value: f64) -> Self {
@@ -120,16 +153,30 @@ pub trait Real:
     }
 }
 
-/// A number with one lane: `f32`, `f64` or [`DoubleDouble`].
+/// A number with one lane: what a kernel's constants are made of.
+pub trait Constant:
+    Real<Scalar = Self, Token = (), Vector: Send + Sync> + Send + Sync + 'static
+{
+    /// The distance from 1 to the next number: 2^-23, 2^-52, 2^-104.
+    const EPSILON: f64;
+    /// The smallest normal number above zero.
+    const MIN_POSITIVE: f64;
+
+    /// Rounds to this format, to nearest, ties to even.
+    fn from_f64(value: f64) -> Self;
+}
+
+/// Numbers that scenes are set up in, once a frame.
+pub trait Precise: Constant {
+    /// The number rounded to `f64`, nearly.
+    fn near(self) -> f64;
+    /// The tangent of half the angle `degrees`, between 0 and 180.
+    fn half_tangent(degrees: f64) -> Self;
+}
+
+/// A number with one lane and nothing beside it: `f32`, `f64` or [`DoubleDouble`].
 pub trait Scalar:
-    Real<Scalar = Self, Mask = bool, Token = (), Vector: PartialEq + Send + Sync>
-    + Draw
-    + PartialEq
-    + PartialOrd
-    + Default
-    + Send
-    + Sync
-    + 'static
+    Constant<Mask = bool, Vector: PartialEq> + Draw + PartialEq + PartialOrd + Default
 {
     /// The format one precision up: `f64` for `f32`, double-double for `f64`, itself for
     /// double-double.
@@ -137,15 +184,9 @@ pub trait Scalar:
 
     /// The format's name, as options and tables give it.
     const NAME: &'static str;
-    /// The distance from 1 to the next number: 2^-23, 2^-52, 2^-104.
-    const EPSILON: f64;
     /// The largest finite number.
     const MAX: Self;
-    /// The smallest normal number above zero.
-    const MIN_POSITIVE: f64;
 
-    /// Rounds to this format, to nearest, ties to even.
-    fn from_f64(value: f64) -> Self;
     /// Rounds to `f64`, to nearest, ties to even.
     fn to_f64(self) -> f64;
     /// The same number one precision up, exactly.

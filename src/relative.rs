@@ -16,18 +16,19 @@
 
 mod follow;
 mod light;
+mod round;
 mod setup;
 mod sphere;
 
 use crate::chain::{Chain, ChainKind};
-use crate::real::{Mask, Real, Scalar};
+use crate::real::{Constant, Mask, Real, Scalar};
 use crate::vector::Vector;
 use light::Light;
 use sphere::Sphere;
 
 /// A scene as its camera sees it, ready for rays.
 #[derive(Clone, Debug)]
-pub struct Relative<S: Scalar> {
+pub struct Relative<S: Constant> {
     forward: S::Vector,
     right: S::Vector,
     up: S::Vector,
@@ -39,6 +40,8 @@ pub struct Relative<S: Scalar> {
     lights: Option<Vec<Light<S>>>,
     background: S::Vector,
     t_max_squared: S,
+    /// Whether every distance counts, whatever the numbers above say.
+    endless: bool,
 }
 
 /// Where the light comes from.
@@ -54,7 +57,7 @@ pub enum Lighting {
 
 /// A plane with the camera on its positive side: `dot(normal, x) = height`, and `height < 0`.
 #[derive(Clone, Copy, Debug)]
-struct Plane<S: Scalar> {
+struct Plane<S: Constant> {
     normal: S::Vector,
     height: S,
     /// (`t_max` / height)²: a hit at `height / slope` counts where `slope²` times this reaches D².
@@ -106,8 +109,7 @@ impl<R: Real> Meeting<R> {
     /// The lanes that meet the object of this number.
     #[inline(always)]
     fn is_with(&self, number: R::Scalar) -> R::Mask {
-        let number = R::splat(self.number.token(), number);
-        self.number.ge(number) & self.number.le(number)
+        self.number.is(R::splat(self.number.token(), number))
     }
 }
 
@@ -146,14 +148,21 @@ impl<R: Real> Search<R> {
     }
 }
 
-impl<S: Scalar> Plane<S> {
+impl<S: Constant> Plane<S> {
     /// Where a ray from the camera meets the plane; `None` if no lane does.
     #[inline(always)]
-    fn meet<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Option<Meeting<R>> {
+    fn meet<R: Real<Scalar = S>>(
+        &self,
+        direction: R::Vector,
+        square: R,
+        endless: bool,
+    ) -> Option<Meeting<R>> {
         let token = square.token();
         let slope = -R::Vector::splat(token, &self.normal).dot(direction);
-        let reached = (slope * slope * R::splat(token, self.reach)).ge(square);
-        let mask = slope.gt(slope.constant(0.0)) & reached;
+        let mut mask = slope.gt(slope.constant(0.0));
+        if !endless {
+            mask = mask & (slope * slope * R::splat(token, self.reach)).ge(square);
+        }
         if !mask.any() {
             return None;
         }
@@ -166,7 +175,7 @@ impl<S: Scalar> Plane<S> {
     }
 }
 
-impl<S: Scalar> Relative<S> {
+impl<S: Constant> Relative<S> {
     /// What the camera sees along a direction; `None` where no lane meets anything.
     #[inline(always)]
     fn nearest<R: Real<Scalar = S>>(&self, direction: R::Vector, square: R) -> Option<Nearest<R>> {
@@ -174,10 +183,11 @@ impl<S: Scalar> Relative<S> {
         let t_max_squared = R::splat(token, self.t_max_squared);
         let mut search = Search::new(square);
         for (index, sphere) in (0..).zip(&self.spheres) {
-            search.add(index, sphere.meet(direction, square, t_max_squared));
+            let meeting = sphere.meet(direction, square, t_max_squared, self.endless);
+            search.add(index, meeting);
         }
         for (index, plane) in (self.spheres.len()..).zip(&self.planes) {
-            search.add(index, plane.meet(direction, square));
+            search.add(index, plane.meet(direction, square, self.endless));
         }
         if search.is_empty() {
             return None;
@@ -237,37 +247,30 @@ impl<S: Scalar> Relative<S> {
     }
 }
 
-impl<S: Scalar> Chain<S> for Relative<S> {
-    fn kind(&self) -> ChainKind<'_, S> {
-        ChainKind::Relative(self)
-    }
-
-    /// From -1 at the first column or row to 1 at the last.
-    fn coordinate(index: u32, count: u32) -> S {
-        if count == 1 {
-            return S::from_f64(0.0);
-        }
-        let twice_from_middle = 2.0 * f64::from(index) - f64::from(count - 1);
-        S::from_f64(twice_from_middle) / S::from_f64(f64::from(count - 1))
-    }
-
+impl<S: Constant> Relative<S> {
+    /// See [`Chain::across`].
     #[inline(always)]
-    fn across<R: Real<Scalar = S>>(&self, column: R) -> R::Vector {
+    pub(crate) fn across<R: Real<Scalar = S>>(&self, column: R) -> R::Vector {
         R::Vector::splat(column.token(), &self.right) * column
     }
 
+    /// See [`Chain::down`].
     #[inline(always)]
-    fn down<R: Real<Scalar = S>>(&self, row: R) -> R::Vector {
+    pub(crate) fn down<R: Real<Scalar = S>>(&self, row: R) -> R::Vector {
         let token = row.token();
         R::Vector::splat(token, &self.forward) - R::Vector::splat(token, &self.up) * row
     }
 
+    /// See [`Chain::reflected`].
     #[inline(always)]
-    fn reflected<R: Real<Scalar = S>>(&self, direction: R::Vector) -> Option<(R::Mask, R::Vector)> {
-        let square = direction.dot(direction);
+    pub(crate) fn reflected<R: Real<Scalar = S>>(
+        &self,
+        direction: R::Vector,
+    ) -> Option<(R::Mask, R::Vector)> {
+        let square = direction.square();
         let hit = self.nearest(direction, square)?;
         let reflected = match &self.lights {
-            None => hit.color * (hit.meeting.slope * (square.constant(1.0) / square).sqrt()),
+            None => hit.color * (hit.meeting.slope * square.inverse_root()),
             Some(lights) => {
                 let zero = square.constant(0.0);
                 let mut sum = R::Vector::new(zero, zero, zero);
@@ -279,8 +282,43 @@ impl<S: Scalar> Chain<S> for Relative<S> {
         };
         Some((hit.meeting.mask, reflected))
     }
+}
+
+impl<S: Scalar> Chain<S> for Relative<S> {
+    fn kind(&self) -> ChainKind<'_, S> {
+        ChainKind::Relative(self)
+    }
+
+    /// From -1 at the first column or row to 1 at the last.
+    fn coordinate(index: u32, count: u32) -> S {
+        coordinate(index, count)
+    }
+
+    #[inline(always)]
+    fn across<R: Real<Scalar = S>>(&self, column: R) -> R::Vector {
+        self.across(column)
+    }
+
+    #[inline(always)]
+    fn down<R: Real<Scalar = S>>(&self, row: R) -> R::Vector {
+        self.down(row)
+    }
+
+    #[inline(always)]
+    fn reflected<R: Real<Scalar = S>>(&self, direction: R::Vector) -> Option<(R::Mask, R::Vector)> {
+        self.reflected::<R>(direction)
+    }
 
     fn background(&self) -> S::Vector {
         self.background
     }
+}
+
+/// Where a column or row of pixels is: from -1 for the first to 1 for the last.
+pub(crate) fn coordinate<S: Constant>(index: u32, count: u32) -> S {
+    let twice_from_middle = 2.0 * f64::from(index) - f64::from(count - 1);
+    if twice_from_middle == 0.0 {
+        return S::from_f64(0.0);
+    }
+    S::from_f64(twice_from_middle) / S::from_f64(f64::from(count - 1))
 }

@@ -107,7 +107,7 @@ impl Engine {
     }
 
     /// Draws rows of a picture, a few at a time on each thread: `draw(rows, pixels)` appends theirs.
-    fn share<P: Copy + Send>(
+    pub(crate) fn share<P: Copy + Send>(
         self,
         size: Size,
         rows: Range<u32>,

@@ -240,7 +240,7 @@ fn other<R: Real>(hit: R::Mask, skip: Option<R>, number: usize) -> R::Mask {
     }
 }
 
-impl<R: Real> HitRecord<R> {
+impl<R: Real<Scalar: Scalar>> HitRecord<R> {
     /// Nothing was hit.
     #[inline(always)]
     fn none(ray: &Ray<R>) -> Self {

@@ -5,7 +5,7 @@
 //! are lost or displaced. The kit's default, [`Relative`](crate::Relative), needs none of them.
 
 use crate::ray::{Ray, Span};
-use crate::real::{Real, Scalar};
+use crate::real::{Constant, Real, Scalar};
 use crate::scene::{HitRecord, Scene};
 use crate::shape::Projection;
 use crate::vector::Vector;
@@ -88,7 +88,7 @@ impl Shadow {
     /// The ray from a hit toward the light in the unit `direction`, and the part of it on which a
     /// hit blocks the light: closed, up to the light's distance.
     #[inline(always)]
-    pub fn ray<R: Real>(
+    pub fn ray<R: Real<Scalar: Scalar>>(
         self,
         scene: &Scene<R::Scalar>,
         hit: &HitRecord<R>,

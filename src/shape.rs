@@ -9,7 +9,7 @@ pub use sphere::Sphere;
 
 use crate::quality::Quality;
 use crate::ray::{Ray, Span};
-use crate::real::{Real, Scalar};
+use crate::real::{Constant, Real, Scalar};
 use crate::vector::Vector;
 
 /// Where a ray meets a shape.
@@ -28,7 +28,7 @@ impl<R: Real> Hit<R> {
     fn none(token: R::Token) -> Self {
         Self {
             mask: R::mask(token, false),
-            t: R::splat(token, Scalar::from_f64(f64::NAN)),
+            t: R::splat(token, Constant::from_f64(f64::NAN)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Three numbers: a point, a direction or a colour. For `f32` and `f64` these are glam's own
 //! vectors.
 
-use crate::real::{Real, Scalar};
+use crate::real::{Constant, Real};
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -46,9 +46,9 @@ pub trait Vector<R: Real<Vector = Self>>:
         Self::splat(
             token,
             &Vector::new(
-                Scalar::from_f64(x),
-                Scalar::from_f64(y),
-                Scalar::from_f64(z),
+                Constant::from_f64(x),
+                Constant::from_f64(y),
+                Constant::from_f64(z),
             ),
         )
     }
@@ -56,27 +56,31 @@ pub trait Vector<R: Real<Vector = Self>>:
     /// The scalar product.
     #[inline(always)]
     fn dot(self, other: Self) -> R {
-        self.x() * other.x() + self.y() * other.y() + self.z() * other.z()
+        R::sum_of_products(self.to_array(), other.to_array())
+    }
+
+    /// The scalar product with itself: the square of the length.
+    #[inline(always)]
+    fn square(self) -> R {
+        R::sum_of_squares(self.to_array())
     }
 
     /// The vector product.
     #[inline(always)]
     fn cross(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.to_array(), other.to_array());
         Self::new(
-            self.y() * other.z() - self.z() * other.y(),
-            self.z() * other.x() - self.x() * other.z(),
-            self.x() * other.y() - self.y() * other.x(),
+            R::difference_of_products([b, z], [c, y]),
+            R::difference_of_products([c, x], [a, z]),
+            R::difference_of_products([a, y], [b, x]),
         )
     }
 
     /// The unit vector of the same direction; not finite for the zero vector.
     ///
-    /// The root of the reciprocal, not the reciprocal of the root: the root halves the error of the
-    /// division before it, and the cost is the same.
     #[inline(always)]
     fn normalized(self) -> Self {
-        let square = self.dot(self);
-        self * (square.constant(1.0) / square).sqrt()
+        self * self.square().inverse_root()
     }
 
     /// The magnitude of each component.

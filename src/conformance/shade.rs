@@ -8,7 +8,7 @@ use crate::integrator::{DirectLighting, Integrator, ShadowQuery};
 use crate::light::PointLight;
 use crate::quality::Quality;
 use crate::ray::{Ray, Span};
-use crate::real::{DoubleDouble, Real, Scalar};
+use crate::real::{Constant, DoubleDouble, Real, Scalar};
 use crate::scene::Scene;
 use crate::shadow::Shadow;
 use crate::shape::{Shape, Sphere};

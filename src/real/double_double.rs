@@ -1,7 +1,7 @@
 //! Twice the precision of `f64`, from `f64` alone: the truth for pictures, and the format one up
 //! from `f64`.
 
-use super::{Real, Scalar};
+use super::{Constant, Precise, Real, Scalar};
 use crate::vector::Triple;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -22,11 +22,26 @@ pub struct DoubleDouble {
 }
 
 impl DoubleDouble {
+    /// π, rounded: off by less than 2^-107.
+    pub(super) const PI: Self = Self {
+        high: std::f64::consts::PI,
+        low: 1.224_646_799_147_353_2e-16,
+    };
+
     /// The sum of two `f64` as it is, without a rounding. A sum that overflows is an infinity.
     #[inline(always)]
     pub fn new(a: f64, b: f64) -> Self {
         let (high, low) = two_sum(a, b);
         Self::of(high, low)
+    }
+
+    /// The same number as an `f64`, exactly.
+    #[inline(always)]
+    pub fn from_f64(value: f64) -> Self {
+        Self {
+            high: value,
+            low: 0.0,
+        }
     }
 
     /// The leading part: this number rounded to `f64`.
@@ -242,24 +257,24 @@ impl Real for DoubleDouble {
     }
 }
 
-impl Scalar for DoubleDouble {
-    type Wide = Self;
-
-    const NAME: &'static str = "double-double";
+impl Constant for DoubleDouble {
     const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
-    const MAX: Self = Self {
-        high: f64::MAX,
-        low: f64::MAX * (f64::EPSILON / 4.0),
-    };
     const MIN_POSITIVE: f64 = f64::MIN_POSITIVE;
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Self {
-            high: value,
-            low: 0.0,
-        }
+        Self::from_f64(value)
     }
+}
+
+impl Scalar for DoubleDouble {
+    type Wide = Self;
+
+    const NAME: &'static str = "double-double";
+    const MAX: Self = Self {
+        high: f64::MAX,
+        low: f64::MAX * (f64::EPSILON / 4.0),
+    };
 
     #[inline(always)]
     fn to_f64(self) -> f64 {
@@ -291,30 +306,37 @@ impl Scalar for DoubleDouble {
 
     fn tan_half(degrees: Self) -> Self {
         let half = degrees * 0.5;
-        let right_angle = Self::from_f64(90.0);
+        let pi = DoubleDouble::PI;
+        let radians = |degrees: Self| degrees * pi / DoubleDouble::from_f64(180.0);
         if half.high <= 45.0 {
-            let (sine, cosine) = sine_cosine(half);
+            let (sine, cosine) = sine_cosine(radians(half));
             sine / cosine
         } else {
-            let (sine, cosine) = sine_cosine(right_angle - half);
+            let (sine, cosine) = sine_cosine(radians(Self::from_f64(90.0) - half));
             cosine / sine
         }
     }
 }
 
-/// Sine and cosine of an angle of at most 45 degrees, by their Taylor series.
-fn sine_cosine(degrees: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
-    let pi = DoubleDouble {
-        high: std::f64::consts::PI,
-        low: 1.224_646_799_147_353_2e-16,
-    };
-    let angle = degrees * pi / DoubleDouble::from_f64(180.0);
-    let one = DoubleDouble::from_f64(1.0);
+impl Precise for DoubleDouble {
+    fn near(self) -> f64 {
+        self.high
+    }
+
+    fn half_tangent(degrees: f64) -> Self {
+        Self::tan_half(Self::from_f64(degrees))
+    }
+}
+
+/// Sine and cosine of an angle of at most π/4, by their Taylor series: what is left out is below
+/// 3e-36.
+pub(super) fn sine_cosine<S: Constant>(angle: S) -> (S, S) {
+    let one = S::from_f64(1.0);
     let (mut sine, mut cosine) = (angle, one);
     let (mut odd, mut even) = (angle, one);
     for n in (1..15).map(|n| f64::from(2 * n)) {
-        even = -(even * angle * angle) / DoubleDouble::from_f64(n * (n - 1.0));
-        odd = -(odd * angle * angle) / DoubleDouble::from_f64(n * (n + 1.0));
+        even = -(even * angle * angle) / S::from_f64(n * (n - 1.0));
+        odd = -(odd * angle * angle) / S::from_f64(n * (n + 1.0));
         cosine = cosine + even;
         sine = sine + odd;
     }

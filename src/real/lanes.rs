@@ -3,7 +3,7 @@
 use super::{Real, Scalar};
 
 /// Numbers side by side that can be loaded from memory and stored there. A scalar is one lane.
-pub trait Lanes: Real {
+pub trait Lanes: Real<Scalar: Scalar> {
     /// How many numbers there are.
     const LANES: usize;
     /// The most lanes any packet, or pair of packets, has.

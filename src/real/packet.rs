@@ -194,3 +194,16 @@ pub(crate) fn in_packets<E: Lane>(level: Level, job: impl Job<E>) {
 fn in_pairs<L: Simd, E: Lane>(simd: L, job: impl Job<E>) {
     job.run::<Pair<Packet<L, E>>>(simd);
 }
+
+/// Does a job with one packet at a time: for jobs that fill the registers with one.
+pub(crate) fn in_single_packets<E: Lane>(level: Level, job: impl Job<E>) {
+    match level.simd() {
+        None => job.run::<E>(()),
+        Some(level) => dispatch!(level, simd => in_single(simd, job)),
+    }
+}
+
+#[inline(always)]
+fn in_single<L: Simd, E: Lane>(simd: L, job: impl Job<E>) {
+    job.run::<Packet<L, E>>(simd);
+}

@@ -13,12 +13,12 @@ impl<S: Scalar> Relative<S> {
     /// light that a surface separates from the camera was left out once a frame; here it is one
     /// that the surface does not face. The level is that of the radiance.
     pub fn follow(&self, across: S, down: S) -> Pixel {
-        let direction = Chain::across::<S>(self, across) + Chain::down::<S>(self, down);
+        let direction = self.across::<S>(across) + self.down::<S>(down);
         let mut pixel = Pixel {
             level: Pixel::level_of::<S>(self.radiance(across, down)),
             ..Pixel::default()
         };
-        let Some(hit) = self.nearest::<S>(direction, direction.dot(direction)) else {
+        let Some(hit) = self.nearest::<S>(direction, direction.square()) else {
             return pixel;
         };
         if !hit.meeting.mask {

@@ -1,12 +1,12 @@
 //! A light, seen from the camera, and what stands between it and a point.
 
 use super::Nearest;
-use crate::real::{Mask, Real, Scalar};
+use crate::real::{Constant, Mask, Real, Scalar};
 use crate::vector::Vector;
 
 /// A light that no surface separates from the camera.
 #[derive(Clone, Debug)]
-pub(super) struct Light<S: Scalar> {
+pub(super) struct Light<S: Constant> {
     pub position: S::Vector,
     /// Colour times power.
     pub intensity: S::Vector,
@@ -23,7 +23,7 @@ pub(super) struct Light<S: Scalar> {
 
 /// A sphere much nearer to a light than the camera is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Near<S: Scalar> {
+pub(super) struct Near<S: Constant> {
     pub number: S,
     /// From the center to the light.
     pub to_light: S::Vector,
@@ -33,7 +33,7 @@ pub(super) struct Near<S: Scalar> {
 
 /// A sphere with the camera and a light outside.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Occluder<S: Scalar> {
+pub(super) struct Occluder<S: Constant> {
     pub center: S::Vector,
     pub radius_squared: S,
     pub number: S,
@@ -42,7 +42,7 @@ pub(super) struct Occluder<S: Scalar> {
     pub to_light_squared: S,
 }
 
-impl<S: Scalar> Light<S> {
+impl<S: Constant> Light<S> {
     /// How high the light is above the tangent plane of the hit: where it is not above 0, the hit
     /// turns away from it.
     ///
@@ -85,19 +85,22 @@ impl<S: Scalar> Light<S> {
         }
         let point = direction * hit.meeting.t;
         let to_light = R::Vector::splat(token, &self.position) - point;
-        let square = to_light.dot(to_light);
+        let square = to_light.square();
         let visible = facing & !self.blocked(hit, direction, point, square);
-        let y = (zero.constant(1.0) / square).sqrt();
+        let y = square.inverse_root();
         let intensity = R::Vector::splat(token, &self.intensity);
         let lit = sum + hit.color * intensity * (height * y * (y * y));
         R::Vector::select(visible, lit, sum)
     }
 
     /// Whether something stands between the hit and the light.
-    pub fn blocked_on_the_way(&self, hit: &Nearest<S>, direction: S::Vector) -> bool {
+    pub fn blocked_on_the_way(&self, hit: &Nearest<S>, direction: S::Vector) -> bool
+    where
+        S: Scalar,
+    {
         let point = direction * hit.meeting.t;
         let to_light = self.position - point;
-        self.blocked(hit, direction, point, to_light.dot(to_light))
+        self.blocked(hit, direction, point, to_light.square())
     }
 
     /// Whether something stands between the point and the light, at distance `√square` of each
@@ -125,7 +128,7 @@ impl<S: Scalar> Light<S> {
     }
 }
 
-impl<S: Scalar> Occluder<S> {
+impl<S: Constant> Occluder<S> {
     /// Whether the sphere reaches into the way from `point` to the light, of squared length
     /// `square`.
     ///
@@ -140,13 +143,13 @@ impl<S: Scalar> Occluder<S> {
         let to_light = R::Vector::splat(token, &self.to_light);
         let moment = to_point.cross(to_light);
         let near = moment
-            .dot(moment)
+            .square()
             .le(R::splat(token, self.radius_squared) * square);
         if !near.any() {
             return None;
         }
         let product = to_point.dot(to_light);
-        let before = product.lt(to_point.dot(to_point));
+        let before = product.lt(to_point.square());
         Some(near & before & product.lt(R::splat(token, self.to_light_squared)))
     }
 }

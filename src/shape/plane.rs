@@ -43,6 +43,12 @@ impl<S: Scalar> Plane<S> {
         wide::side::<S>(point, self.point, self.normal)
     }
 
+    /// Whether the two planes have the same points, in exact arithmetic.
+    pub(crate) fn coincides_with(&self, other: &Self) -> bool {
+        let on_it = || self.side(other.point) == Ordering::Equal;
+        self == other || (on_it() && wide::are_parallel::<S>(self.normal, other.normal))
+    }
+
     /// A point of the plane.
     pub fn point(&self) -> S::Vector {
         self.point

@@ -93,7 +93,7 @@ fn root_of<R: Real>(discriminant: R) -> Option<R> {
 
 /// The nearer root that lies in the interval.
 #[inline(always)]
-fn nearest<R: Real>(roots: Roots<R>, span: &Span<R>) -> Hit<R> {
+fn nearest<R: Real<Scalar: Scalar>>(roots: Roots<R>, span: &Span<R>) -> Hit<R> {
     let Some((near, far)) = roots else {
         return Hit::none(span.max.token());
     };

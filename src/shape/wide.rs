@@ -7,13 +7,13 @@
 use super::Hit;
 use crate::quality::Scale;
 use crate::ray::{Ray, Span};
-use crate::real::{Real, Scalar};
+use crate::real::{Constant, Real, Scalar};
 use crate::vector::Vector;
 
 /// The hit at the parameter that `t` finds, lane by lane: NaN for none, else a number in the
 /// interval.
 #[inline(always)]
-pub(super) fn one_precision_up<R: Real>(
+pub(super) fn one_precision_up<R: Real<Scalar: Scalar>>(
     ray: &Ray<R>,
     span: &Span<R>,
     t: impl Fn(&Ray<R::Scalar>, &Span<R::Scalar>) -> Option<R::Scalar>,

@@ -2,7 +2,7 @@
 
 use super::super::wide::{Units, surely_in, trust, within};
 use crate::ray::{Ray, Span};
-use crate::real::expansion::{Expansion, difference, dot, exact3};
+use crate::real::expansion::{Expansion, cross, difference, dot, exact3};
 use crate::real::{DoubleDouble, Scalar};
 use crate::vector::Vector;
 use std::cmp::Ordering;
@@ -58,6 +58,16 @@ pub(super) fn side<S: Scalar>(point: S::Vector, on: S::Vector, normal: S::Vector
         &exact3::<S::Wide>(units.direction::<S>(normal)),
     )
     .sign()
+}
+
+/// Whether two vectors are, in exact arithmetic.
+pub(super) fn are_parallel<S: Scalar>(a: S::Vector, b: S::Vector) -> bool {
+    let exactly = |v: S::Vector| {
+        let units = Units::new::<S>([v; 2], S::from_f64(0.0), v);
+        exact3::<S::Wide>(units.direction::<S>(v))
+    };
+    let product = cross(&exactly(a), &exactly(b));
+    product.iter().all(|x| x.sign() == Ordering::Equal)
 }
 
 impl<W: Scalar> Question<W> {

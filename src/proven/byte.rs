@@ -1,0 +1,31 @@
+//! Bytes that are certain.
+
+use crate::film::Film;
+use crate::real::{Bounded, Proof, Real, Rounded};
+
+/// The byte of a component of radiance, as a whole number from 0 to 255, and where it is certain:
+/// where every number within the bound has the same.
+///
+/// It is `floor(255 x)`, as [`Film::byte`] has it. Whether a whole number lies within the bound is
+/// asked of the exact fraction `z - trunc z`: near a whole number `z - e` may round to z.
+#[inline(always)]
+pub fn byte<B: Real<Scalar: Rounded>, P: Proof>(film: Film, x: Bounded<B, P>) -> (B, B::Mask) {
+    let [zero, one, most, turn] = [0.0, 1.0, 255.0, 256.0].map(|c| x.value.constant(c));
+    let z = x * Bounded::exact(most);
+    let reach = z.reach();
+    let whole = z.value.trunc();
+    let above = z.value - whole;
+    let same = above.ge(reach) & (one - above).gt(reach);
+    let dark = (z.value + reach).lt(one);
+    let level = B::select(whole.gt(zero), whole, zero);
+    match film {
+        Film::Clamp => {
+            let bright = (z.value - reach).ge(most);
+            (B::select(level.lt(most), level, most), same | dark | bright)
+        }
+        Film::Wrap => {
+            let turns = (level * turn.constant(1.0 / 256.0)).trunc();
+            (level - turns * turn, same | dark)
+        }
+    }
+}
