@@ -11,6 +11,7 @@ mod report;
 
 mod properties {
     pub mod bad_input;
+    pub mod bounded;
     pub mod camera;
     pub mod double_double;
     pub mod film;
@@ -105,6 +106,18 @@ properties! {
         cameras_are_refused_by_field_and_value
         no_bits_make_the_kit_panic
         figures_of_any_size_are_drawn
+    }
+    once, bounded {
+        bounds_hold_in_f32
+        bounds_hold_in_f64
+        bounds_hold_in_double_double
+        moderate_numbers_stay_known
+        nothing_is_known_beyond_the_largest_number
+        a_rounded_double_double_is_within_its_bound
+        half_tangents_are_within_their_bounds
+        choices_are_those_of_three_valued_logic
+        bounds_too_small_are_noticed
+        certainty_too_early_is_noticed
     }
     once, double_double {
         parts_sum_up_exactly

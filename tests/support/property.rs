@@ -3,7 +3,7 @@
 use crate::exact::Exact;
 use ombrage::{Float, Ray, Vector};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestCaseError, TestRunner};
+use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use std::fmt::Debug;
 use std::ops::Range;
 
@@ -16,14 +16,29 @@ impl<F: Float + Exact> Sample for F {}
 
 /// Checks many random inputs. Nothing is written; the failing input is in the message.
 pub fn for_all<T: Debug>(inputs: impl Strategy<Value = T>, check: impl Fn(T) -> Verdict) {
-    let config = Config::default();
+    if let Err(failure) = TestRunner::new(config()).run(&inputs, check) {
+        panic!("{failure}");
+    }
+}
+
+/// Whether any of many random inputs, the same in every run, fails the check.
+pub fn fails<T: Debug>(inputs: impl Strategy<Value = T>, check: impl Fn(T) -> Verdict) -> bool {
     let config = Config {
+        cases: 4096,
+        max_shrink_iters: 0,
+        ..config()
+    };
+    let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+    let mut runner = TestRunner::new_with_rng(config, random);
+    runner.run(&inputs, check).is_err()
+}
+
+fn config() -> Config {
+    let config = Config::default();
+    Config {
         failure_persistence: None,
         max_global_rejects: 4096 + 16 * config.cases,
         ..config
-    };
-    if let Err(failure) = TestRunner::new(config).run(&inputs, check) {
-        panic!("{failure}");
     }
 }
 

@@ -1,0 +1,458 @@
+//! Bounded numbers: the exact result of every operation lies within its bound, whatever the
+//! magnitudes, and a proof with smaller bounds is found out.
+
+use crate::exact::{Exact, abs, exact};
+use crate::property::{Verdict, fails, for_all};
+use dashu_ratio::RBig;
+use ombrage::{
+    Bounded, Constant, DoubleDouble, Kleene, Mask, Precise, Proof, Real, Rigorous, Rounded, Scalar,
+};
+use proptest::prelude::*;
+use std::fmt::Debug;
+
+/// A bounded number, and an exact one that it may stand for.
+#[derive(Clone, Debug)]
+struct Known<S> {
+    value: S,
+    error: S,
+    truth: RBig,
+}
+
+impl<S: Rounded + Exact> Known<S> {
+    fn number<P: Proof>(&self) -> Bounded<S, P> {
+        Bounded::new(self.value, self.error)
+    }
+}
+
+/// Numbers whose exponents are in a range, known exactly, nearly or hardly; the exact number lies
+/// at an end of what the bound allows, or between.
+fn known<S: Rounded + Exact>(
+    exponents: std::ops::Range<i32>,
+) -> impl Strategy<Value = Known<S>> + Clone {
+    let parts = (exponents, 1.0..2.0f64, -60..-54i32, any::<bool>(), 0..12u8);
+    let error = (-60..8i32, 1.0..2.0f64, 0..3u8);
+    (parts, error, -1.0..1.0f64, 0..3u8).prop_filter_map("finite", |(value, error, place, end)| {
+        let (exponent, mantissa, low, negative, zero) = value;
+        let magnitude = match zero {
+            0 => 0.0,
+            _ => mantissa * f64::from(exponent).exp2(),
+        };
+        let high = if negative { -magnitude } else { magnitude };
+        let low = high * f64::from(low).exp2() * mantissa;
+        let value = S::from_double_double(DoubleDouble::new(high, low));
+        let (exponent, mantissa, kind) = error;
+        let size = value.to_f64().abs().max(S::MIN_POSITIVE);
+        let error = match kind {
+            0 => S::from_f64(0.0),
+            _ => S::from_f64(size * f64::from(exponent).exp2() * mantissa),
+        };
+        let place = match end {
+            0 => -1.0,
+            1 => 1.0,
+            _ => place,
+        };
+        finite(&[value, error]).then(|| Known {
+            value,
+            error,
+            truth: exact(value) + exact(error) * exact(place),
+        })
+    })
+}
+
+/// Whether every number here is finite; what is not has no exact value.
+fn finite<S: Scalar>(numbers: &[S]) -> bool {
+    numbers.iter().all(|x| x.is_finite())
+}
+
+/// What one operation's roundings may take away from a bound.
+fn allowed<S: Rounded + Exact>(error: S) -> RBig {
+    exact(error) * (exact(1.0) + exact(16.0) * exact(S::SUM))
+}
+
+/// The result, where its bound is finite, is within it of the truth.
+fn within<S: Rounded + Exact, P: Proof>(
+    name: &str,
+    result: Bounded<S, P>,
+    truth: impl FnOnce() -> RBig,
+) -> Verdict {
+    if finite(&[result.value, result.error]) {
+        let off = abs(exact(result.value) - truth());
+        let words = || format!("{name}: {result:?} is off by {:e}", off.to_f64().value());
+        prop_assert!(off <= allowed(result.error), "{}", words());
+    }
+    Ok(())
+}
+
+/// An answer is certain only of what is true.
+fn truthful(name: &str, answer: Kleene<bool>, truth: bool) -> Verdict {
+    prop_assert!(
+        truth || !answer.certain,
+        "{name} is certainly true, but false"
+    );
+    prop_assert!(
+        !truth || answer.possible,
+        "{name} is certainly false, but true"
+    );
+    Ok(())
+}
+
+fn sums<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+    let (x, y) = (a.number::<P>(), b.number::<P>());
+    within("a sum", x + y, || &a.truth + &b.truth)?;
+    within("a difference", x - y, || &a.truth - &b.truth)
+}
+
+fn products<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+    let product = a.number::<P>() * b.number::<P>();
+    within("a product", product, || &a.truth * &b.truth)
+}
+
+/// The words that fuse products: of a, b and their sum.
+fn fused<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+    let (x, y) = (a.number::<P>(), b.number::<P>());
+    let (p, q) = (&a.truth, &b.truth);
+    let sum = Real::sum_of_products([x, y, -y], [y, x, x]);
+    within("a sum of products", sum, || p * q)?;
+    let squares = Real::sum_of_squares([x, y, -x]);
+    within("a sum of squares", squares, || p * p + q * q + p * p)?;
+    let difference = Real::difference_of_products([x, x], [y, y]);
+    within("a difference of products", difference, || p * p - q * q)
+}
+
+/// `1/√A` where `(v - e)² A <= 1 <= (v + e)² A`.
+fn inverse_roots<S: Rounded + Exact, P: Proof>((a, _): (Known<S>, Known<S>)) -> Verdict {
+    let root = a.number::<P>().inverse_root();
+    if !finite(&[root.value, root.error]) {
+        return Ok(());
+    }
+    prop_assert!(a.truth > RBig::ZERO, "the root of 1 over {a:?} is known");
+    let (value, error) = (exact(root.value), allowed(root.error));
+    let (below, above) = (&value - &error, &value + &error);
+    let low = below < RBig::ZERO || &below * &below * &a.truth <= exact(1.0);
+    prop_assert!(
+        low && exact(1.0) <= &above * &above * &a.truth,
+        "{root:?} of {a:?}"
+    );
+    Ok(())
+}
+
+fn quotients<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+    let quotient = a.number::<P>() / b.number::<P>();
+    if b.truth == RBig::ZERO {
+        prop_assert!(!quotient.error.is_finite(), "a quotient by zero is known");
+        return Ok(());
+    }
+    within("a quotient", quotient, || &a.truth / &b.truth)
+}
+
+/// `(v - e)² <= A <= (v + e)²`, where v - e is not negative.
+fn roots<S: Rounded + Exact, P: Proof>((a, _): (Known<S>, Known<S>)) -> Verdict {
+    let root = a.number::<P>().sqrt();
+    if !finite(&[root.value, root.error]) {
+        return Ok(());
+    }
+    prop_assert!(
+        a.truth >= RBig::ZERO,
+        "the root of a negative number is known"
+    );
+    let (value, error) = (exact(root.value), allowed(root.error));
+    let (below, above) = (&value - &error, &value + &error);
+    let low = below < RBig::ZERO || &below * &below <= a.truth;
+    prop_assert!(
+        low && a.truth <= &above * &above,
+        "the root {root:?} of {a:?}"
+    );
+    Ok(())
+}
+
+/// The words that do not round.
+fn others<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+    let (x, y) = (a.number::<P>(), b.number::<P>());
+    within("the negative", -x, || -a.truth.clone())?;
+    within("the magnitude", x.abs(), || abs(a.truth.clone()))?;
+    within("the integer part", x.trunc(), || {
+        RBig::from(a.truth.trunc())
+    })?;
+    let binade = x.binade();
+    if binade.error.is_finite() && binade.value.to_f64() > 0.0 {
+        let (least, magnitude) = (exact(binade.value), abs(a.truth.clone()));
+        let inside = least <= magnitude && magnitude < least * exact(2.0);
+        prop_assert!(inside, "{binade:?} is not the leading bit of {a:?}");
+    }
+    for unknown in [x.step(y), Real::each([x], |[x]| x)] {
+        prop_assert!(!unknown.error.is_finite(), "{unknown:?} is known");
+    }
+    Ok(())
+}
+
+fn comparisons<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+    let (x, y) = (a.number::<P>(), b.number::<P>());
+    truthful("a < b", x.lt(y), a.truth < b.truth)?;
+    truthful("a <= b", x.le(y), a.truth <= b.truth)?;
+    truthful("a is b", x.is(y), a.truth == b.truth)?;
+    truthful("a > b", x.gt(y), a.truth > b.truth)?;
+    truthful("a >= b", x.ge(y), a.truth >= b.truth)
+}
+
+/// The larger of the two, by a choice.
+fn choices<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+    let (x, y) = (a.number::<P>(), b.number::<P>());
+    let larger = Bounded::select(x.lt(y), y, x);
+    within("a choice", larger, || a.truth.clone().max(b.truth.clone()))
+}
+
+/// Two numbers of magnitudes that have nothing to do with each other, or nearly the same number.
+fn pairs<S: Rounded + Exact>(
+    exponents: std::ops::Range<i32>,
+) -> impl Strategy<Value = (Known<S>, Known<S>)> + Clone {
+    let near = (
+        known::<S>(exponents.clone()),
+        known::<S>(exponents.clone()),
+        0..4u8,
+    );
+    let near = near.prop_map(|(a, b, sign)| {
+        let mut other = b;
+        other.value = if sign == 0 { -a.value } else { a.value };
+        other.truth = exact(other.value) + exact(other.error);
+        (a, other)
+    });
+    prop_oneof![(known::<S>(exponents.clone()), known::<S>(exponents)), near]
+}
+
+/// Every exponent a number of the format can have.
+fn all_exponents<S: Scalar>() -> std::ops::Range<i32> {
+    match S::NAME {
+        "f32" => -149..128,
+        _ => -1074..1024,
+    }
+}
+
+fn bounds_hold<S: Rounded + Exact>() {
+    let exponents = all_exponents::<S>();
+    for exponents in [exponents, -12..12] {
+        for check in [
+            sums::<S, Rigorous>,
+            products::<S, Rigorous>,
+            fused::<S, Rigorous>,
+            inverse_roots::<S, Rigorous>,
+            quotients::<S, Rigorous>,
+            roots::<S, Rigorous>,
+            others::<S, Rigorous>,
+            comparisons::<S, Rigorous>,
+            choices::<S, Rigorous>,
+        ] {
+            for_all(pairs::<S>(exponents.clone()), check);
+        }
+    }
+}
+
+pub fn bounds_hold_in_f32() {
+    bounds_hold::<f32>();
+}
+
+pub fn bounds_hold_in_f64() {
+    bounds_hold::<f64>();
+}
+
+pub fn bounds_hold_in_double_double() {
+    bounds_hold::<DoubleDouble>();
+}
+
+/// Bounds are not only right but close: within a tenth of the first-order error.
+pub fn moderate_numbers_stay_known() {
+    let number = || (-12..12i32, 1.0..2.0f64).prop_map(|(e, m)| m * f64::from(e).exp2());
+    let inputs = (number(), number(), 0.0..1e-3f64, 0.0..1e-3f64);
+    for_all(inputs, |(a, b, p, q)| {
+        let u = f64::SUM;
+        let (x, y) = (Bounded::new(a, a * p), Bounded::new(b, b * q));
+        let near = |name: &str, result: Bounded<f64>, relative: f64| {
+            let most = 1.1 * result.value.abs() * relative;
+            prop_assert!(result.error <= most, "{name} {result:?} of {x:?} and {y:?}");
+            Ok(())
+        };
+        near("sum", x + y, (a * p + b * q) / (a + b) + u)?;
+        near("product", x * y, p + q + 2.0 * u)?;
+        near("quotient", x / y, p + q + 2.0 * u)?;
+        near("root", x.sqrt(), p / 2.0 + 2.0 * u)
+    });
+}
+
+pub fn nothing_is_known_beyond_the_largest_number() {
+    fn check<S: Rounded>() {
+        let number = |x: S| Bounded::<S>::exact(x);
+        let of = |x: f64| number(S::from_f64(x));
+        let (zero, one, most) = (of(0.0), of(1.0), number(S::MAX));
+        let (infinite, nan) = (of(f64::INFINITY), of(f64::NAN));
+        for unknown in [
+            most + most,
+            most * most,
+            most / of(S::MIN_POSITIVE),
+            one / zero,
+            zero / zero,
+            infinite + one,
+            infinite * zero,
+            nan + one,
+            (-one).sqrt(),
+            nan.abs() * zero,
+        ] {
+            assert!(!unknown.error.is_finite(), "{unknown:?} is known");
+            for answer in [
+                unknown.lt(one),
+                unknown.le(one),
+                one.lt(unknown),
+                one.le(unknown),
+            ] {
+                assert!(!answer.decided(), "{unknown:?} is compared with 1");
+            }
+        }
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<DoubleDouble>();
+}
+
+pub fn a_rounded_double_double_is_within_its_bound() {
+    for_all(known::<DoubleDouble>(-1022..1023), |wide| {
+        let number = wide.number::<Rigorous>();
+        let (single, double) = (
+            Bounded::<f32>::from_wide(number),
+            Bounded::from_wide(number),
+        );
+        within("f32", single, || wide.truth.clone())?;
+        within::<f64, Rigorous>("f64", double, || wide.truth.clone())?;
+        let high = wide.value.high();
+        within("a constant", Bounded::<f32>::from_f64(high), || exact(high))
+    });
+}
+
+/// The squares of the ends lie on either side of 1/3, 1 and 3; the bound is not just wide.
+pub fn half_tangents_are_within_their_bounds() {
+    for (degrees, square) in [
+        (60.0, exact(1.0) / exact(3.0)),
+        (90.0, exact(1.0)),
+        (120.0, exact(3.0)),
+    ] {
+        let tangent = Bounded::<DoubleDouble>::half_tangent(degrees);
+        let (value, error) = (exact(tangent.value), exact(tangent.error));
+        let (below, above) = (&value - &error, &value + &error);
+        assert!(
+            &below * &below <= square && square <= &above * &above,
+            "{degrees} degrees"
+        );
+        assert!(tangent.error.high() < 1e-29, "{tangent:?}");
+    }
+    for degrees in [0.05, 1.0, 33.3, 89.0] {
+        let tangent = |degrees| Bounded::<DoubleDouble>::half_tangent(degrees);
+        let product = tangent(degrees) * tangent(180.0 - degrees);
+        let off = abs(exact(product.value) - exact(1.0));
+        // 180 - 33.3 rounds; the tangent changes by less than 6e-14.
+        let slack = if degrees == 33.3 { 1e-13 } else { 0.0 };
+        assert!(
+            off <= exact(product.error) + exact(slack),
+            "{degrees} degrees"
+        );
+    }
+}
+
+pub fn choices_are_those_of_three_valued_logic() {
+    let open = Kleene {
+        certain: false,
+        possible: true,
+    };
+    let of = |truth: bool| Kleene {
+        certain: truth,
+        possible: truth,
+    };
+    let answers = [of(false), of(true), open];
+    // What an answer may turn out to be.
+    let worlds = |answer: Kleene<bool>| {
+        [false, true].into_iter().filter(move |&world| {
+            if world {
+                answer.possible
+            } else {
+                !answer.certain
+            }
+        })
+    };
+    let join = |truths: &mut dyn Iterator<Item = bool>| {
+        let truths: Vec<bool> = truths.collect();
+        (truths.iter().all(|&t| t), truths.iter().any(|&t| t))
+    };
+    let parts = |answer: Kleene<bool>| (answer.certain, answer.possible);
+    for a in answers {
+        assert_eq!(parts(!a), join(&mut worlds(a).map(|a| !a)), "not {a:?}");
+        assert_eq!(a.any(), worlds(a).any(|a| a));
+        assert_eq!(a.decided(), worlds(a).count() == 1);
+        for b in answers {
+            let both = || worlds(a).flat_map(move |a| worlds(b).map(move |b| (a, b)));
+            assert_eq!(
+                parts(a & b),
+                join(&mut both().map(|(a, b)| a & b)),
+                "{a:?} & {b:?}"
+            );
+            assert_eq!(
+                parts(a | b),
+                join(&mut both().map(|(a, b)| a | b)),
+                "{a:?} | {b:?}"
+            );
+        }
+        let (yes, no) = (Bounded::<f64>::exact(1.0), Bounded::exact(2.0));
+        let chosen = Bounded::select(a, yes, no);
+        assert_eq!(chosen.error == 0.0, a.decided());
+        assert!(!a.decided() || chosen.value == if a.certain { 1.0 } else { 2.0 });
+    }
+}
+
+/// A proof that is not one.
+macro_rules! sabotaged {
+    ($($name:ident: $constant:ident: $type:ty = $value:expr;)*) => { $(
+        #[derive(Clone, Copy, Debug)]
+        struct $name;
+        impl Proof for $name {
+            const $constant: $type = $value;
+        }
+    )* };
+}
+
+sabotaged! {
+    SmallSums: SUM: f64 = 1.0 / 16.0;
+    SmallProducts: PRODUCT: f64 = 1.0 / 16.0;
+    SmallQuotients: QUOTIENT: f64 = 1.0 / 16.0;
+    SmallRoots: ROOT: f64 = 1.0 / 16.0;
+    EarlyComparisons: COMPARES_VALUES: bool = true;
+    EarlyChoices: CHOOSES_POSSIBLE: bool = true;
+}
+
+pub fn bounds_too_small_are_noticed() {
+    fn check<S: Rounded + Exact>() {
+        let pairs = || pairs::<S>(-12..12);
+        assert!(fails(pairs(), sums::<S, SmallSums>), "sums in {}", S::NAME);
+        assert!(
+            fails(pairs(), products::<S, SmallProducts>),
+            "products in {}",
+            S::NAME
+        );
+        assert!(
+            fails(pairs(), quotients::<S, SmallQuotients>),
+            "quotients in {}",
+            S::NAME
+        );
+        assert!(
+            fails(pairs(), roots::<S, SmallRoots>),
+            "roots in {}",
+            S::NAME
+        );
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<DoubleDouble>();
+}
+
+pub fn certainty_too_early_is_noticed() {
+    let pairs = || pairs::<f64>(-12..12);
+    assert!(
+        fails(pairs(), comparisons::<f64, EarlyComparisons>),
+        "comparisons"
+    );
+    assert!(fails(pairs(), choices::<f64, EarlyChoices>), "choices");
+}
