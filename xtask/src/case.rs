@@ -4,8 +4,8 @@ use crate::error::{Error, Result};
 use crate::scene_file::{self, SceneFile};
 use crate::workspace;
 use ombrage::{
-    Chain, DirectLighting, Integrator, Invalid, PerspectiveCamera, Plane, PointLight, Quality,
-    Scalar, Scene, Shadow, ShadowQuery, Size, Sphere, View,
+    Chain, DirectLighting, Film, Integrator, Invalid, Lighting, PerspectiveCamera, Picture, Plane,
+    PointLight, Quality, Scalar, Scene, Shadow, ShadowQuery, Size, Sphere, View, render_proven,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -200,4 +200,19 @@ pub fn radiance<S: Scalar, C: Chain<S>>(chain: &C, size: Size) -> Vec<S::Vector>
         );
     }
     picture
+}
+
+/// The picture of exact mathematics, byte by byte.
+///
+/// # Errors
+/// If the view is invalid, or a pixel is a tie that nothing decides.
+pub fn proven(case: &Case, lighting: Lighting, film: Film) -> Result<Picture> {
+    let proven = render_proven(&case.scene, &case.view, case.size, lighting, film)?;
+    match proven.undecided() {
+        [] => Ok(proven.into_picture()),
+        [first, ..] => Err(Error::new(format!(
+            "{}: column {}, row {} cannot be proven: {}; change the scene or its size a little",
+            case.name, first.column, first.row, first.reason
+        ))),
+    }
 }

@@ -10,6 +10,7 @@ use crate::arguments::{Format, Machine, parse_size};
 use crate::error::{Error, Result};
 use crate::output;
 use crate::progress;
+use crate::proof::Proof;
 use crate::table::Table;
 use crate::workspace;
 use job::{Outcome, Row, Task};
@@ -34,8 +35,10 @@ Examples:
   cargo xtask figures --only 3a,3c --out a  two of them, in the directory a
   cargo xtask figures --float f64 --size 1200x800 --out big
   cargo xtask figures --out a --json        the table for programs
+  cargo xtask figures --proven --out exact  1, 2a, 2b and 3c, every byte that of exact mathematics
 
-Exit status: 0 done, or every file is fresh; 1 --check found stale or missing files; 2 bad input.
+Exit status: 0 done, or every file is fresh; 1 --check found stale or missing files, or --proven
+pixels that are undecided; 2 bad input.
 
 The columns: hits are pixels that show the sphere or the plane; shadowed: another object blocks the
 light; wrapped: a byte passed 255 and wrapped; acne: the surface falsely shadows itself.")]
@@ -51,6 +54,11 @@ pub struct Args {
     /// Width and height in pixels, at most 2^28 pixels in all
     #[arg(long, value_name = "WxH", default_value = "600x400", value_parser = parse_size)]
     size: Size,
+
+    /// Prove every byte to be that of exact mathematics; the table says in which precision (see
+    /// docs/proven.md). 3a and 3b, which show errors of rounding, are left out
+    #[arg(long, requires = "out", conflicts_with_all = ["float", "check"])]
+    proven: bool,
 
     #[command(flatten)]
     machine: Machine,
@@ -95,16 +103,34 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     } else {
         Task::Write(&out)
     };
-    let figures: Vec<&'static Figure> = match &args.only {
+    let mut figures: Vec<&'static Figure> = match &args.only {
         Some(Names(names)) => names.clone(),
         None => FIGURES.iter().collect(),
     };
+    if args.proven {
+        let shows_errors = |figure: &&&Figure| figure.lighting().is_none();
+        if let Some(figure) = figures
+            .iter()
+            .find(shows_errors)
+            .filter(|_| args.only.is_some())
+        {
+            let name = figure.name;
+            let what =
+                format!("--only {name} with --proven: it shows errors of rounding; leave it");
+            return Err(Error::new(what));
+        }
+        figures.retain(|figure| figure.lighting().is_some());
+    }
     let long = args.size.pixels() * figures.len() > 1 << 22;
     let bar = progress::bar(job::STEPS * figures.len() as u64, long);
     let surveys = Surveys::default();
+    let drawing = job::Drawing {
+        engine,
+        proven: args.proven,
+    };
     let done = all(&figures, args.size, |figure| match args.float {
-        Format::F32 => job::work::<f32>(figure, args.size, engine, task, &surveys, &bar),
-        Format::F64 => job::work::<f64>(figure, args.size, engine, task, &surveys, &bar),
+        Format::F32 => job::work::<f32>(figure, args.size, drawing, task, &surveys, &bar),
+        Format::F64 => job::work::<f64>(figure, args.size, drawing, task, &surveys, &bar),
     });
     bar.finish_and_clear();
 
@@ -130,8 +156,18 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         output::print(&text)?;
         return Ok(ExitCode::FAILURE);
     }
+    let proofs = rows
+        .iter()
+        .filter_map(|row| Some((row.name, row.proof.as_ref()?)));
+    let undecided: String = proofs.map(|(name, proof)| proof.list(name)).collect();
     output::print(&report(rows, args)?)?;
-    Ok(ExitCode::SUCCESS)
+    if undecided.is_empty() {
+        return Ok(ExitCode::SUCCESS);
+    }
+    if !args.json {
+        output::print(&format!("not proven:\n{undecided}"))?;
+    }
+    Ok(ExitCode::FAILURE)
 }
 
 fn report(rows: Vec<Row>, args: &Args) -> Result<String> {
@@ -141,9 +177,18 @@ fn report(rows: Vec<Row>, args: &Args) -> Result<String> {
         text += "\n";
         return Ok(text);
     }
-    let mut table = Table::new(&Row::HEADS);
+    let mut heads = Row::HEADS.to_vec();
+    if args.proven {
+        heads = ["figure", "size", "ms", "ns/pixel"].to_vec();
+        heads.extend(Proof::HEADS);
+    }
+    let mut table = Table::new(&heads);
     for row in &rows {
-        table.row(row.cells());
+        table.row(if args.proven {
+            row.proven_cells()
+        } else {
+            row.cells()
+        });
     }
     Ok(table.render())
 }

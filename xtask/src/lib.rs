@@ -16,6 +16,7 @@ pub mod parallel;
 pub mod picture_file;
 pub mod precision;
 pub mod progress;
+pub mod proof;
 pub mod render;
 pub mod scene_file;
 pub mod shadows;

@@ -6,6 +6,7 @@ use crate::arguments::{Format, Machine, parse_size};
 use crate::error::{Error, Result};
 use crate::output;
 use crate::picture_file;
+use crate::proof::Proof;
 use crate::scene_file;
 use crate::table::Table;
 use crate::whole_file::WholeFile;
@@ -24,6 +25,7 @@ Examples:
   cargo xtask render tests/scenes/base.toml --out base.png
   cargo xtask render tests/scenes/base.toml --shadow self-hitting --float f32 --out acne.png
   cargo xtask render tests/scenes/many125.toml --size 1920x1280 --json --out many.png
+  cargo xtask render tests/scenes/planet.toml --proven --out planet.png
 
 The ways of --shadow: relative (the kit's own chain, the default), self-hitting, half-open,
 t-min=LENGTH, offset=LENGTH, ulp-offset, error-bound, reprojection, skip-self.
@@ -31,7 +33,7 @@ t-min=LENGTH, offset=LENGTH, ulp-offset, error-bound, reprojection, skip-self.
 f64 is the default because it holds the numbers of the file as they are. f32 is faster; the kit's own
 chain then changes a few bytes by 1.
 
-Exit status: 0 done; 2 bad input.")]
+Exit status: 0 done; 1 --proven pixels are undecided; 2 bad input.")]
 pub struct Args {
     /// The scene file
     #[arg(value_name = "SCENE.toml")]
@@ -48,6 +50,11 @@ pub struct Args {
     /// How well the lab's chain computes: textbook, stable or wide [default: textbook]
     #[arg(long, value_name = "NAME", value_parser = parse_quality)]
     quality: Option<Quality>,
+
+    /// Prove every byte to be that of exact mathematics; the table says in which precision (see
+    /// docs/proven.md)
+    #[arg(long, conflicts_with = "float")]
+    proven: bool,
 
     /// Width and height in pixels, at most 2^28 pixels in all [default: the file's]
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
@@ -78,6 +85,11 @@ enum Choice {
 /// If the scene file is bad, an option does not fit, or the picture cannot be written.
 pub fn run(args: &Args) -> Result<ExitCode> {
     let method = match (args.shadow, args.quality) {
+        (Choice::Relative, None) if args.proven => Method::Proven,
+        _ if args.proven => {
+            let what = "--proven is for the kit's own chain: leave out --shadow and --quality";
+            return Err(Error::new(what));
+        }
         (Choice::Relative, None) => Method::Relative,
         (Choice::Relative, Some(_)) => {
             let what = "--quality is for the lab's chain: give --shadow ulp-offset or another too";
@@ -105,7 +117,16 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     file.write(|out| picture_file::write(&picture, out))?;
     file.keep()?;
     output::print(&report(&row, args.json)?)?;
-    Ok(ExitCode::SUCCESS)
+    match row.proof {
+        Some(proof) if !proof.is_complete() => {
+            if !args.json {
+                let list = proof.list(&content.name);
+                output::print(&format!("not proven:\n{list}"))?;
+            }
+            Ok(ExitCode::FAILURE)
+        }
+        _ => Ok(ExitCode::SUCCESS),
+    }
 }
 
 fn report(row: &Row, json: bool) -> Result<String> {
@@ -115,7 +136,11 @@ fn report(row: &Row, json: bool) -> Result<String> {
         text += "\n";
         return Ok(text);
     }
-    let mut table = Table::new(&Row::HEADS);
+    let mut heads = Row::HEADS.to_vec();
+    if row.proof.is_some() {
+        heads.extend(Proof::HEADS);
+    }
+    let mut table = Table::new(&heads);
     table.row(row.cells());
     Ok(table.render())
 }

@@ -8,8 +8,8 @@ use crate::parallel;
 use crate::table::{Table, grouped};
 use glam::DVec3;
 use ombrage::{
-    DoubleDouble, Film, Integrator, LabChain, Lighting, Picture, Plane, PointLight, Quality,
-    Relative, Scalar, Scene, Shadow, Size, Sphere, View, lab,
+    Film, Integrator, LabChain, Lighting, Picture, Plane, PointLight, Quality, Relative, Scalar,
+    Scene, Shadow, Size, Sphere, View, lab,
 };
 use serde::Serialize;
 
@@ -54,7 +54,7 @@ pub fn measure() -> Result<Vec<Row>> {
 /// # Errors
 /// None: the scene is valid.
 pub fn truth() -> Result<Picture> {
-    relative::<DoubleDouble>(&moved(0.0)?)
+    case::proven(&moved(0.0)?, Lighting::Shadowed, Film::Clamp)
 }
 
 /// Measures one move, a whole number below 2^50.

@@ -153,7 +153,7 @@ impl Subject {
         ))
     }
 
-    /// The true picture: the ray-relative chain in double-double, and the decisions of
+    /// The true picture: its bytes proven, its radiance in double-double, and the decisions of
     /// [`truth::of`]. Figures 3(a) and 3(b) ought to have shown the shadows of Figure 3(c).
     ///
     /// # Errors
@@ -166,7 +166,7 @@ impl Subject {
         }
         Ok(self.computed(
             radiance.iter().map(|v| v.to_array()).collect(),
-            self.develop::<DoubleDouble>(&radiance),
+            self.enlarged(case::proven(&self.case, self.lighting(), self.film())?),
             lights,
         ))
     }
@@ -196,10 +196,19 @@ impl Subject {
 
     /// From radiance to bytes, and the detail of an enlarged figure.
     fn develop<S: Scalar>(&self, radiance: &[S::Vector]) -> Picture {
-        let film = self.figure.map_or(Film::Clamp, |figure| figure.film);
-        let picture = develop::<S>(radiance, self.case.size, film);
-        let detail = self.figure.and_then(|figure| figure.detail);
-        detail.map_or_else(|| picture.clone(), |detail| detail.of(&picture))
+        self.enlarged(develop::<S>(radiance, self.case.size, self.film()))
+    }
+
+    fn film(&self) -> Film {
+        self.figure.map_or(Film::Clamp, |figure| figure.film)
+    }
+
+    /// The detail of an enlarged figure; other pictures as they are.
+    fn enlarged(&self, picture: Picture) -> Picture {
+        match self.figure.and_then(|figure| figure.detail) {
+            None => picture,
+            Some(detail) => detail.of(&picture),
+        }
     }
 }
 

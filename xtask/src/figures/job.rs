@@ -5,6 +5,7 @@ use super::study::{Study, Surveys};
 use super::view::View;
 use crate::error::Result;
 use crate::picture_file;
+use crate::proof::Proof;
 use crate::whole_file::WholeFile;
 use indicatif::ProgressBar;
 use ombrage::{Engine, Figure, Film, Picture, Scalar, Size};
@@ -15,7 +16,8 @@ use std::time::Instant;
 /// What the table says of a figure.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    name: &'static str,
+    /// The figure's.
+    pub name: &'static str,
     float: &'static str,
     width: u32,
     height: u32,
@@ -30,6 +32,9 @@ pub struct Row {
     wrapped: usize,
     acne_plane: usize,
     acne_sphere: usize,
+    /// What proved the pixels, where the picture is proven.
+    #[serde(flatten)]
+    pub proof: Option<Proof>,
 }
 
 /// A picture that is due in a file: what was done about it.
@@ -44,6 +49,15 @@ pub enum Outcome {
 
 /// How many steps of progress a figure takes.
 pub const STEPS: u64 = 4;
+
+/// How to draw.
+#[derive(Clone, Copy)]
+pub struct Drawing {
+    /// What with.
+    pub engine: Engine,
+    /// Whether as exact mathematics has it.
+    pub proven: bool,
+}
 
 /// What to do with every picture.
 #[derive(Clone, Copy)]
@@ -61,14 +75,23 @@ pub enum Task<'a> {
 pub fn work<S: Scalar>(
     figure: &'static Figure,
     size: Size,
-    engine: Engine,
+    Drawing { engine, proven }: Drawing,
     task: Task,
     surveys: &Surveys,
     bar: &ProgressBar,
 ) -> Result<(Row, Vec<Outcome>)> {
     bar.set_message(format!("figure {}", figure.name));
     let start = Instant::now();
-    let picture = figure.draw_with::<S>(size, engine)?;
+    let proven_picture = if proven {
+        figure.prove_with(size, engine)?
+    } else {
+        None
+    };
+    let proof = proven_picture.as_ref().map(Proof::of);
+    let picture = match proven_picture {
+        None => figure.draw_with::<S>(size, engine)?,
+        Some(proven) => proven.into_picture(),
+    };
     let seconds = start.elapsed().as_secs_f64();
     bar.inc(1);
 
@@ -91,7 +114,7 @@ pub fn work<S: Scalar>(
     let counts = findings.counts;
     bar.inc(1);
 
-    if is_annotated(figure) {
+    if is_annotated(figure) && !proven {
         let study = Study {
             figure,
             size,
@@ -122,6 +145,7 @@ pub fn work<S: Scalar>(
         },
         acne_plane: counts.acne_plane,
         acne_sphere: counts.acne_sphere,
+        proof,
     };
     Ok((row, outcomes))
 }
@@ -168,6 +192,18 @@ impl Row {
         "acne plane",
         "acne sphere",
     ];
+
+    /// The cells of the table's row where the picture is proven.
+    pub fn proven_cells(&self) -> Vec<String> {
+        let mut cells = vec![
+            self.name.to_owned(),
+            format!("{}x{}", self.width, self.height),
+            format!("{:.2}", self.ms),
+            format!("{:.1}", self.ns_per_pixel),
+        ];
+        cells.extend(self.proof.iter().flat_map(Proof::cells));
+        cells
+    }
 
     /// The cells of the table's row.
     pub fn cells(&self) -> Vec<String> {

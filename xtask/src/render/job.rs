@@ -3,6 +3,7 @@
 use crate::arguments::Machine;
 use crate::error::{Error, Result};
 use crate::progress;
+use crate::proof::Proof;
 use crate::scene_file::SceneFile;
 use ombrage::{
     Chain, DirectLighting, Engine, Film, Integrator, Invalid, LabChain, Lighting,
@@ -17,6 +18,8 @@ use std::time::Instant;
 pub enum Method {
     /// By the kit's own chain.
     Relative,
+    /// By the same, every byte proven.
+    Proven,
     /// By the lab's chain.
     Lab {
         /// How shadow rays leave their surface.
@@ -56,6 +59,9 @@ pub struct Row {
     ms: f64,
     ns_per_pixel: f64,
     file: PathBuf,
+    /// What proved the pixels, where the picture is proven.
+    #[serde(flatten)]
+    pub proof: Option<Proof>,
 }
 
 /// Pairs of a pixel and an object that take about a second.
@@ -73,7 +79,15 @@ impl Job<'_> {
         let SceneFile { scene, view, .. } = self.content;
         let engine = self.machine.engine(self.pairs() > LONG)?;
         let start = Instant::now();
+        let mut proof = None;
         let picture = match self.method {
+            Method::Proven => {
+                let proven =
+                    engine.render_proven(scene, view, self.size, Lighting::Shadowed, Film::Clamp);
+                let proven = proven.map_err(|invalid| self.misfit::<S>(&invalid))?;
+                proof = Some(Proof::of(&proven));
+                proven.into_picture()
+            }
             Method::Relative => {
                 let chain = Relative::<S>::new(scene, view, self.size, Lighting::Shadowed);
                 self.rows(
@@ -100,7 +114,7 @@ impl Job<'_> {
             }
         };
         let row = self.row::<S>(start.elapsed().as_secs_f64(), engine, out);
-        Ok((picture, row))
+        Ok((picture, Row { proof, ..row }))
     }
 
     /// How many pairs of a pixel and an object there are: what the time grows with.
@@ -143,14 +157,17 @@ impl Job<'_> {
 
     fn row<S: Scalar>(&self, seconds: f64, engine: Engine, out: &Path) -> Row {
         let (shadow, quality) = match self.method {
-            Method::Relative => ("relative".to_owned(), None),
+            Method::Relative | Method::Proven => ("relative".to_owned(), None),
             Method::Lab { shadow, quality } => (shadow.name(), Some(quality.name())),
         };
         Row {
             name: self.content.name.clone(),
             width: self.size.width(),
             height: self.size.height(),
-            float: S::NAME,
+            float: match self.method {
+                Method::Proven => "proven",
+                _ => S::NAME,
+            },
             shadow,
             quality,
             level: engine.level().name(),
@@ -158,6 +175,7 @@ impl Job<'_> {
             ms: seconds * 1e3,
             ns_per_pixel: seconds * 1e9 / self.size.pixels() as f64,
             file: out.to_path_buf(),
+            proof: None,
         }
     }
 }
@@ -174,7 +192,7 @@ impl Row {
             None => self.shadow.clone(),
             Some(quality) => format!("{}, {quality}", self.shadow),
         };
-        vec![
+        let mut cells = vec![
             self.name.clone(),
             format!("{}x{}", self.width, self.height),
             self.float.to_owned(),
@@ -184,6 +202,8 @@ impl Row {
             format!("{:.2}", self.ms),
             format!("{:.1}", self.ns_per_pixel),
             self.file.display().to_string(),
-        ]
+        ];
+        cells.extend(self.proof.iter().flat_map(Proof::cells));
+        cells
     }
 }
