@@ -90,7 +90,7 @@ impl Numbers {
                 (a, b) => Some(surd::multiply(&a?, &b?)),
             },
             Origin::Quotient(a, b) => {
-                let inverse = surd::reciprocal(&*self.exact(b).as_ref()?)?;
+                let inverse = surd::reciprocal(&self.exact(b)?)?;
                 Some(surd::multiply(&self.exact(a)?, &inverse))
             }
             Origin::Root(a) => {

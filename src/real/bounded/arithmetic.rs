@@ -94,9 +94,9 @@ impl<B: Real<Scalar: Rounded>, P: Proof> Sub for Bounded<B, P> {
 ///                 <= |a| (e_b + u |b|) + (|b| + 2 e_b) e_a + η.
 /// ```
 ///
-/// The second `e_b` is for the allowance on the product of two bounds: (1 + δ)² e_b e_a is below
-/// (1 + δ) 2 e_b e_a. Where they underflow, the two products of the bound and that of the values lose
-/// at most half of the smallest number each, together less than η; so does u |b|, which is
+/// The second `e_b` is for the allowance on the product of two bounds: `(1 + δ)² e_b e_a` is below
+/// `(1 + δ) 2 e_b e_a`. Where they underflow, the two products of the bound and that of the values
+/// lose at most half of the smallest number each, together less than η; so does u |b|, which is
 /// multiplied by |a| and therefore has an η of its own.
 ///
 /// Double-double keeps zeros exact: there the product of an exact 0 and a known number is one.
@@ -122,7 +122,7 @@ impl<B: Real<Scalar: Rounded>, P: Proof> Mul for Bounded<B, P> {
     }
 }
 
-/// With x = e_b / |b| at most 1/64,
+/// With `x = e_b / |b|` at most 1/64,
 ///
 /// ```text
 /// |A/B - a/b| <= (E_a + |a/b| E_b) / |B| <= 1/(1 - x) (e_a / |b| + |a/b| x),
@@ -231,8 +231,8 @@ impl<B: Real<Scalar: Rounded>, P: Proof> Real for Bounded<B, P> {
     }
 
     /// `A < B` certainly where b - a is larger than both bounds together, certainly not where it is
-    /// not above their negative. The last difference makes infinities undefined, so that an
-    /// infinite bound decides nothing; its sign is exact.
+    /// not above their negative. No number is above an infinite bound, and the sum with one is
+    /// undefined or infinite itself, so that an infinite bound decides nothing.
     #[inline(always)]
     fn lt(self, other: Self) -> Self::Mask {
         let zero = self.value.constant(0.0);

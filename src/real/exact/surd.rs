@@ -143,10 +143,10 @@ pub(super) fn root(x: &Shared, floors: &mut usize) -> Option<Shared> {
         Ordering::Equal => return Some(float(0.0)),
         Ordering::Greater => {}
     }
-    if let Surd::Rational(n, d) = &**x {
-        if let (Some(n), Some(d)) = (n.exact_root(), d.exact_root()) {
-            return Some(rational(&n, &d));
-        }
+    if let Surd::Rational(n, d) = &**x
+        && let (Some(n), Some(d)) = (n.exact_root(), d.exact_root())
+    {
+        return Some(rational(&n, &d));
     }
     *floors += 1;
     let (zero, one) = (float(0.0), float(1.0));
