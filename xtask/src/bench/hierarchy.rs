@@ -167,7 +167,7 @@ impl<S: Scalar> Hierarchical<S> {
 
 /// Replaces the record where the ray meets the object sooner, as the kit's scenes do.
 #[inline(always)]
-fn keep_nearer<R: Real, G: Shape<R::Scalar>>(
+fn keep_nearer<R: Real<Scalar: Scalar>, G: Shape<R::Scalar>>(
     nearest: &mut HitRecord<R>,
     ray: &Ray<R>,
     span: &Span<R>,

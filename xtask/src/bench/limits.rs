@@ -91,7 +91,7 @@ fn at<L: Simd, E: Lane>(level: Level, token: L) -> Limit {
 /// Nanoseconds an operation.
 #[inline(always)]
 fn time<R: Lanes, O: Step>(token: R::Token) -> f64 {
-    let number = |value: f64| R::splat(token, ombrage::Scalar::from_f64(black_box(value)));
+    let number = |value: f64| R::splat(token, ombrage::Constant::from_f64(black_box(value)));
     let (a, b) = (number(0.75), number(0.625));
     let mut fastest = f64::INFINITY;
     for _ in 0..REPEATS {

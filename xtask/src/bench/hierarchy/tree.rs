@@ -135,7 +135,7 @@ pub struct Line<R: Real> {
     upward: [bool; 3],
 }
 
-impl<R: Real> Line<R> {
+impl<R: Real<Scalar: Scalar>> Line<R> {
     /// The line of a ray.
     #[inline(always)]
     pub fn of(ray: &Ray<R>) -> Self {
