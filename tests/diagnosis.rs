@@ -4,7 +4,7 @@
 mod naive;
 
 use naive::Naive;
-use ombrage::conformance::diagnosis::{Diagnosis, Lossless, Verdict, diagnose};
+use ombrage::conformance::diagnosis::{Diagnosis, Verdict, diagnose};
 use ombrage::{Figure, Picture, Size};
 
 fn picture(naive: &Naive) -> Picture {
@@ -14,7 +14,7 @@ fn picture(naive: &Naive) -> Picture {
 
 fn judge(naive: &Naive, figure: &str) -> Diagnosis {
     let figure = Figure::named(figure).expect("a figure");
-    diagnose(&picture(naive), figure, &Lossless).expect("a size that is judged")
+    diagnose(&picture(naive), figure, &[]).expect("a size that is judged")
 }
 
 fn codes(diagnosis: &Diagnosis) -> Vec<&'static str> {

@@ -91,6 +91,8 @@ pub struct Conventions {
     /// The largest parameter of a primary hit: 1000 or infinity; `None` where this picture would
     /// be the same with both.
     pub t_max: Option<f64>,
+    /// Which of the losses that the file may have had fits best.
+    pub loss: usize,
 }
 
 /// How much nearer the picture is to what was found than to anything else.
@@ -120,16 +122,17 @@ pub const SMALLEST: u32 = 32;
 pub const MOST_PIXELS: usize = 1 << 24;
 
 /// Finds out what is wrong with a picture that claims to be a figure: `1`, `2a`, `2b`, `3a` or
-/// `3c`. `loss` is what the picture's file format took from it.
+/// `3c`. `losses` is what the picture's file format may have taken from it, one of them; empty:
+/// nothing.
 ///
 /// ```
-/// use ombrage::conformance::diagnosis::{Code, Lossless, Verdict, diagnose};
+/// use ombrage::conformance::diagnosis::{Code, Verdict, diagnose};
 /// use ombrage::{Figure, Invalid, Size};
 ///
 /// # fn main() -> Result<(), Invalid> {
 /// let [asked, drawn] = ["3c", "2b"].map(|name| Figure::named(name).expect("a figure"));
 /// let picture = drawn.draw::<f32>(Size::new(120, 80)?)?;
-/// let diagnosis = diagnose(&picture, asked, &Lossless)?;
+/// let diagnosis = diagnose(&picture, asked, &[])?;
 /// assert_eq!(diagnosis.verdict, Verdict::Faults);
 /// assert_eq!(diagnosis.findings[0].code, Code::NoShadow);
 /// # Ok(())
@@ -142,7 +145,7 @@ pub const MOST_PIXELS: usize = 1 << 24;
 pub fn diagnose(
     picture: &Picture,
     figure: &'static Figure,
-    loss: &dyn Loss,
+    losses: &[&dyn Loss],
 ) -> Result<Diagnosis, Invalid> {
     check_size(picture.size())?;
     if figure.detail.is_some() {
@@ -153,7 +156,7 @@ pub fn diagnose(
         });
     }
     let expected = Recipe::of(figure, &lab::scene::<f64>()?);
-    verdict::reach(picture, figure, &expected, loss)
+    verdict::reach(picture, figure, &expected, losses)
 }
 
 /// Whether pictures of this size are judged.

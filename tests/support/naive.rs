@@ -778,3 +778,63 @@ pub fn conventions(name: &str, width: u32, height: u32) -> Vec<(String, Naive)> 
     }
     all
 }
+
+/// Pairs of faults that both show in a figure: the codes, the figure, the picture.
+pub fn pairs(width: u32, height: u32) -> Vec<(&'static str, &'static str, &'static str, Naive)> {
+    type Change = fn(&mut Naive);
+    let shadows: [(&str, Change); 18] = [
+        ("WRAPPED", |n| n.clamp = false),
+        ("NO_SHADOW", |n| n.shadows = false),
+        ("ACNE", |n| n.acne = [true; 2]),
+        ("OFFSET_TOO_LARGE", |n| n.offset = 0.3),
+        ("SHADOW_SHIFTED", |n| n.shift = [0.3, 0.0, 0.2]),
+        ("NO_FALLOFF", |n| n.falloff = 0),
+        ("LINEAR_FALLOFF", |n| n.falloff = 1),
+        ("WRONG_POWER", |n| n.power = 40.0),
+        ("EXTRA_PI", |n| n.over_pi = true),
+        ("PLANE_MISSING", |n| n.plane = false),
+        ("NORMAL_FLIPPED", |n| n.flip = true),
+        ("MIRRORED", |n| n.mirror = true),
+        ("UPSIDE_DOWN", |n| n.upside_down = true),
+        ("GAMMA", |n| n.gamma = 1),
+        ("RED_BLUE_SWAPPED", |n| n.swap = true),
+        ("WRONG_COLOUR", |n| n.plane_color = [0.1, 0.7, 0.2]),
+        ("WRONG_BACKGROUND", |n| n.background = [0.1, 0.2, 0.4]),
+        ("WRONG_FOV", |n| n.fov = 45.0),
+    ];
+    // One hides the other: nothing is left that would show it.
+    let hidden = |a: &str, b: &str, swapped: bool| {
+        let (a, b) = if swapped { (b, a) } else { (a, b) };
+        matches!(
+            (a, b),
+            ("NORMAL_FLIPPED", _)
+                | ("NO_SHADOW", "ACNE" | "OFFSET_TOO_LARGE" | "SHADOW_SHIFTED")
+                | ("ACNE", "OFFSET_TOO_LARGE" | "SHADOW_SHIFTED")
+                | ("OFFSET_TOO_LARGE", "SHADOW_SHIFTED")
+                | ("NO_FALLOFF", "LINEAR_FALLOFF" | "WRONG_POWER" | "EXTRA_PI")
+                | ("WRONG_POWER", "EXTRA_PI" | "WRAPPED")
+                | ("EXTRA_PI", "WRAPPED")
+                | (
+                    "PLANE_MISSING",
+                    "NO_SHADOW" | "OFFSET_TOO_LARGE" | "SHADOW_SHIFTED"
+                )
+                | (
+                    "PLANE_MISSING",
+                    "WRONG_COLOUR" | "NO_FALLOFF" | "LINEAR_FALLOFF"
+                )
+        )
+    };
+    let mut pairs = vec![];
+    for (number, (a, first)) in shadows.iter().enumerate() {
+        for (b, second) in &shadows[number + 1..] {
+            if hidden(a, b, false) || hidden(a, b, true) {
+                continue;
+            }
+            let mut naive = Naive::figure("3c", width, height);
+            first(&mut naive);
+            second(&mut naive);
+            pairs.push((*a, *b, "3c", naive));
+        }
+    }
+    pairs
+}

@@ -8,7 +8,8 @@ mod report;
 use crate::error::{Error, Result};
 use crate::whole_file::WholeFile;
 use crate::{output, parallel, picture_file, progress};
-use ombrage::conformance::diagnosis::{Diagnosis, Lossless, Verdict, diagnose};
+use jpeg::Jpeg;
+use ombrage::conformance::diagnosis::{Diagnosis, Loss, Verdict, diagnose};
 use ombrage::{FIGURES, Figure};
 use read::Submission;
 use std::fs;
@@ -96,10 +97,9 @@ pub fn run(args: &Args) -> Result<ExitCode> {
 /// If it cannot be read.
 pub fn judge(path: &Path, figure: &'static Figure) -> Result<(Submission, Diagnosis)> {
     let submission = read::read(path)?;
-    let diagnosis = match &submission.loss {
-        None => diagnose(&submission.picture, figure, &Lossless),
-        Some(loss) => diagnose(&submission.picture, figure, loss),
-    }?;
+    let losses: Vec<_> = submission.loss.iter().flat_map(Jpeg::each).collect();
+    let losses: Vec<&dyn Loss> = losses.iter().map(|loss| loss as &dyn Loss).collect();
+    let diagnosis = diagnose(&submission.picture, figure, &losses)?;
     Ok((submission, diagnosis))
 }
 

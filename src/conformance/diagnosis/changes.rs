@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 const SAME_COLOR: f64 = 2.1 / 255.0;
 
 /// A power must differ by this part to be another.
-const SAME_POWER: f64 = 0.012;
+pub(super) const SAME_POWER: f64 = 0.012;
 
 /// The recipes that differ from this one by one fault more.
 pub(super) fn changes(
@@ -141,7 +141,8 @@ pub(super) fn changes(
     Ok(found)
 }
 
-fn differs(a: [f64; 3], b: [f64; 3]) -> bool {
+/// Whether two colours are not the same, give or take noise.
+pub(super) fn differs(a: [f64; 3], b: [f64; 3]) -> bool {
     (0..3).any(|c| (a[c] - b[c]).abs() > SAME_COLOR)
 }
 

@@ -19,11 +19,13 @@ pub(super) struct Evidence<'a> {
     /// The picture's pixels, region by region, row-major.
     pub observed: Vec<[u8; 3]>,
     pub loss: &'a dyn Loss,
+    /// How many viewpoints are remembered.
+    kept: usize,
     seen: RefCell<Vec<(Viewpoint, Rc<Surfels>)>>,
 }
 
-/// Viewpoints whose surfels are kept.
-const KEPT: usize = 48;
+/// Surfels that are remembered, of all viewpoints together.
+const KEPT: usize = 3 << 20;
 
 /// The largest error of a pixel that counts: more is no worse, be it a silhouette or a wrapped byte.
 const LARGEST: f64 = 64.0;
@@ -36,14 +38,16 @@ impl<'a> Evidence<'a> {
     /// These parts of a picture.
     pub fn new(picture: &Picture, regions: Vec<Region>, loss: &'a dyn Loss) -> Self {
         let pixels = regions.iter().flat_map(|region| region.pixels());
-        let observed = pixels
+        let observed: Vec<[u8; 3]> = pixels
             .map(|(x, y)| picture.pixel(x, y).unwrap_or_default())
             .collect();
+        let kept = (KEPT / observed.len().max(1)).max(2);
         Self {
             size: picture.size(),
             regions,
             observed,
             loss,
+            kept,
             seen: RefCell::default(),
         }
     }
@@ -72,7 +76,7 @@ impl<'a> Evidence<'a> {
         if let Some((_, surfels)) = seen.iter().find(|(known, _)| known == viewpoint) {
             return Ok(Rc::clone(surfels));
         }
-        if seen.len() >= KEPT {
+        if seen.len() >= self.kept {
             seen.remove(0);
         }
         let new = Rc::new(surfels(viewpoint, self.size, &self.regions)?);
@@ -107,11 +111,6 @@ impl<'a> Evidence<'a> {
     /// How far a recipe is from the picture: the mean error of a pixel, in levels.
     pub fn error(&self, recipe: &Recipe) -> Result<f64, Invalid> {
         Ok(self.error_of(recipe, &self.predicted(recipe)?))
-    }
-
-    /// The same, before the loss: quicker, and good enough to choose among many.
-    pub fn rough_error(&self, recipe: &Recipe) -> Result<f64, Invalid> {
-        Ok(self.error_of(recipe, &self.drawn(recipe)?))
     }
 
     fn error_of(&self, recipe: &Recipe, drawn: &[Drawn]) -> f64 {

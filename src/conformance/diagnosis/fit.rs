@@ -65,7 +65,8 @@ impl Fit {
         } else {
             0.0
         };
-        let inside = if averaged { 0.5 } else { 0.15 } + tolerance / 4.0 + acne;
+        let lossy = if lost { 0.4 + tolerance / 12.0 } else { 0.0 };
+        let inside = if averaged { 0.5 } else { 0.15 } + lossy + acne;
         self.unexplained <= most && self.inside <= inside
     }
 }

@@ -1,5 +1,6 @@
 //! Numbers that a recipe needs and a picture does not say outright: found by trying.
 
+use super::changes::{SAME_POWER, differs};
 use super::evidence::Evidence;
 use super::recipe::{Recipe, ShadowRay};
 use crate::error::Invalid;
@@ -29,8 +30,39 @@ pub(super) fn refined(
             }
         })?;
     }
-    Ok(recipe)
+    if evidence.loss.tolerance() > 0 {
+        for object in 0..2 {
+            for component in 0..3 {
+                if recipe.colors[object] != expected.colors[object] {
+                    search(evidence, &mut recipe, 0.02, 0.002, |r, step| {
+                        let color = &mut r.colors[object][component];
+                        *color = (*color + step).max(0.0);
+                    })?;
+                }
+            }
+        }
+    }
+    Ok(snapped(recipe, expected))
 }
+
+/// The recipe with the expected numbers where its own are the same but for noise.
+fn snapped(mut recipe: Recipe, expected: &Recipe) -> Recipe {
+    if (recipe.power / expected.power - 1.0).abs() <= SAME_POWER {
+        recipe.power = expected.power;
+    }
+    if (recipe.viewpoint.fov - expected.viewpoint.fov).abs() < SAME_FOV {
+        recipe.viewpoint.fov = expected.viewpoint.fov;
+    }
+    for object in 0..2 {
+        if !differs(recipe.colors[object], expected.colors[object]) {
+            recipe.colors[object] = expected.colors[object];
+        }
+    }
+    recipe
+}
+
+/// Fields of view differ by so many degrees.
+const SAME_FOV: f64 = 0.1;
 
 /// Moves one number by smaller and smaller steps, as long as that brings the recipe nearer.
 fn search(

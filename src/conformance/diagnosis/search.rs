@@ -2,9 +2,11 @@
 
 use super::changes::changes;
 use super::evidence::Evidence;
+use super::loss::{Loss, Lossless};
 use super::recipe::{Recipe, Rounding, Sampling};
 use super::refine::refined;
 use crate::error::Invalid;
+use crate::picture::Picture;
 
 /// A recipe and how far it is from the picture, in levels.
 #[derive(Clone, Copy, Debug)]
@@ -30,57 +32,101 @@ impl Candidate {
     }
 }
 
-/// The recipes nearest to the picture, the nearest first, all with different faults.
-pub(super) fn search(evidence: &Evidence, expected: &Recipe) -> Result<Vec<Candidate>, Invalid> {
-    let rough = |recipe: Recipe| {
-        Ok(Candidate {
-            recipe,
-            error: evidence.rough_error(&recipe)?,
-            knobs: recipe.knobs(expected),
-        })
-    };
-    let start = rough(*expected)?;
+/// The part of the pixels on which the many hypotheses are compared, and the part for the few.
+pub(super) struct Samples<'a> {
+    /// Compared before the loss, which changes no order that matters here.
+    pub rough: Evidence<'a>,
+    pub fine: Evidence<'a>,
+}
+
+/// Pixels of the two samples.
+const ROUGH: usize = 12_000;
+const FINE: usize = 40_000;
+
+impl<'a> Samples<'a> {
+    /// The samples of a picture, with the loss that explains it best.
+    pub fn new(
+        picture: &Picture,
+        expected: &Recipe,
+        losses: &[&'a dyn Loss],
+    ) -> Result<(Self, Vec<Candidate>, usize), Invalid> {
+        let rough = Evidence::sample(picture, ROUGH, &Lossless);
+        let candidates = roughly(&rough, expected, losses.is_empty())?;
+        let mut nearest: Option<(Evidence, usize, f64)> = None;
+        for (number, loss) in losses.iter().enumerate() {
+            let fine = Evidence::sample(picture, FINE, *loss);
+            let mut least = f64::INFINITY;
+            for candidate in candidates.iter().take(PURSUED) {
+                least = least.min(fine.error(&candidate.recipe)?);
+            }
+            if nearest.as_ref().is_none_or(|(.., known)| least < *known) {
+                nearest = Some((fine, number, least));
+            }
+        }
+        let (fine, number) = match nearest {
+            Some((fine, number, _)) => (fine, number),
+            None => (Evidence::sample(picture, FINE, &Lossless), 0),
+        };
+        Ok((Self { rough, fine }, candidates, number))
+    }
+}
+
+/// Errors below this leave nothing to explain, where nothing was lost.
+const NOTHING: f64 = 0.04;
+
+/// The recipes nearest to the picture, of all with a few faults.
+fn roughly(
+    evidence: &Evidence,
+    expected: &Recipe,
+    lossless: bool,
+) -> Result<Vec<Candidate>, Invalid> {
+    let start = with_error(evidence, *expected, expected)?;
     let mut pool = vec![start];
     let mut front = vec![start];
     for _ in 0..DEPTH {
         let mut next = vec![];
         for candidate in &front {
             for recipe in changes(evidence, &candidate.recipe, expected)? {
-                next.push(rough(recipe)?);
+                next.push(with_error(evidence, recipe, expected)?);
             }
         }
         let next = nearest(next, expected, BEAM);
-        let gained = next.first().is_some_and(|best| {
-            let before = pool
-                .iter()
-                .map(Candidate::rank)
-                .fold(f64::INFINITY, f64::min);
-            best.rank() < 0.98 * before
-        });
+        let before = pool
+            .iter()
+            .map(Candidate::rank)
+            .fold(f64::INFINITY, f64::min);
         pool.extend(&next);
         front = next;
-        if !gained {
+        let best = front.first().map_or(f64::INFINITY, Candidate::rank);
+        let explained = lossless && before.min(best) < NOTHING;
+        if explained || best > 0.98 * before {
             break;
         }
     }
-    let pool = nearest(pool, expected, 3 * BEAM);
+    Ok(nearest(pool, expected, 3 * BEAM))
+}
+
+/// The nearest candidates in their conventions, with their numbers; the nearest first.
+pub(super) fn finely(
+    evidence: &Evidence,
+    candidates: Vec<Candidate>,
+    expected: &Recipe,
+) -> Result<Vec<Candidate>, Invalid> {
     let mut finer = vec![];
-    for candidate in pool {
+    for candidate in candidates {
         finer.push(with_error(evidence, candidate.recipe, expected)?);
     }
     let mut best = nearest(finer, expected, BEAM);
     for candidate in best.iter_mut().take(PURSUED) {
         let recipe = in_its_conventions(evidence, candidate.recipe)?;
         let recipe = refined(evidence, recipe, expected)?;
-        let recipe = in_its_conventions(evidence, recipe)?;
         *candidate = with_error(evidence, recipe, expected)?;
     }
-    best.truncate(PURSUED);
-    Ok(nearest(best, expected, PURSUED))
+    Ok(nearest(best, expected, BEAM))
 }
 
 /// Candidates whose conventions and numbers are looked for.
-const PURSUED: usize = 5;
+const PURSUED: usize = 4;
 
 fn with_error(
     evidence: &Evidence,
@@ -117,25 +163,28 @@ pub(super) fn in_its_conventions(evidence: &Evidence, recipe: Recipe) -> Result<
         if error < best.1 {
             best = (tried, error);
         }
-        Ok::<Recipe, Invalid>(best.0)
+        Ok::<(Recipe, f64), Invalid>(best)
     };
     let mut tried = recipe;
     tried.rounding = match recipe.rounding {
         Rounding::Truncate => Rounding::Nearest,
         Rounding::Nearest => Rounding::Truncate,
     };
-    let rounded = consider(tried)?;
-    let mut sampled = rounded;
+    let (rounded, _) = consider(tried)?;
+    let mut sampled = (rounded, f64::INFINITY);
     for sampling in Sampling::ALL {
-        let mut tried = rounded;
-        tried.viewpoint.sampling = sampling;
-        sampled = consider(tried)?;
+        // Averages cost most; they are tried where no single ray explains the silhouettes.
+        if !sampling.is_average() || sampled.1 > NOTHING {
+            let mut tried = rounded;
+            tried.viewpoint.sampling = sampling;
+            sampled = consider(tried)?;
+        }
     }
-    let mut tried = sampled;
-    tried.viewpoint.t_max = if sampled.viewpoint.t_max.is_finite() {
+    let mut tried = sampled.0;
+    tried.viewpoint.t_max = if tried.viewpoint.t_max.is_finite() {
         f64::INFINITY
     } else {
         1000.0
     };
-    consider(tried)
+    Ok(consider(tried)?.0)
 }

@@ -1,7 +1,7 @@
 //! Where the shadow's edge lies: at full resolution, and only there.
 
 use super::evidence::{Evidence, tiles_of};
-use super::recipe::Recipe;
+use super::recipe::{Recipe, ShadowRay};
 use super::refine::shadow_rays;
 use super::shade::Drawn;
 use super::surface::{Object, Region};
@@ -34,8 +34,11 @@ pub(super) fn displaced(
     let evidence = Evidence::new(picture, regions, whole.loss);
     let pixels = evidence.observed.len() as f64;
     let mut exact = *recipe;
-    exact.viewpoint.shadow = Some(Default::default());
+    exact.viewpoint.shadow = Some(ShadowRay::default());
     let error = evidence.error(&exact)?;
+    if error * pixels < LEAST_GAIN || !is_worth_a_walk(&evidence, &exact, error)? {
+        return Ok(exact);
+    }
     let [offset, shift, light] = shadow_rays(&evidence, recipe)?;
     let is_better = |other: f64| other < 0.8 * error && (error - other) * pixels > LEAST_GAIN;
     let beside = if light.1 < 0.9 * shift.1 {
@@ -52,6 +55,31 @@ pub(super) fn displaced(
     } else {
         exact
     })
+}
+
+/// Whether some displacement brings the shadow nearer.
+fn is_worth_a_walk(evidence: &Evidence, exact: &Recipe, error: f64) -> Result<bool, Invalid> {
+    let offsets = [0.02, 0.1, 0.4].map(|offset| (offset, [0.0; 2]));
+    let shifts = [
+        [0.1, 0.0],
+        [-0.1, 0.0],
+        [0.0, 0.1],
+        [0.0, -0.1],
+        [0.0, -0.5],
+        [0.5, 0.0],
+    ];
+    for (offset, shift) in offsets.into_iter().chain(shifts.map(|shift| (0.0, shift))) {
+        let mut tried = *exact;
+        tried.viewpoint.shadow = Some(ShadowRay {
+            offset,
+            shift,
+            ..ShadowRay::default()
+        });
+        if evidence.error(&tried)? < 0.97 * error {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 /// The part of the plane that is in shadow, where the recipe or the picture has it.

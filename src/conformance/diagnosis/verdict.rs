@@ -7,16 +7,13 @@ use super::finding::{self, Finding};
 use super::fit::{Fit, around, difference};
 use super::loss::Loss;
 use super::recipe::Recipe;
-use super::search::{Candidate, in_its_conventions, search};
+use super::search::{Candidate, Samples, finely, in_its_conventions};
 use super::shade::Drawn;
 use super::surface::{Object, Region};
 use super::{Code, Conventions, Diagnosis, Margin, Verdict, palette, shadow};
 use crate::error::Invalid;
 use crate::figure::Figure;
 use crate::picture::Picture;
-
-/// Pixels on which the hypotheses are compared.
-const SAMPLE: usize = 40_000;
 
 /// Candidates that are compared on the whole picture.
 const FINALISTS: usize = 3;
@@ -26,10 +23,10 @@ pub(super) fn reach(
     picture: &Picture,
     figure: &'static Figure,
     expected: &Recipe,
-    loss: &dyn Loss,
+    losses: &[&dyn Loss],
 ) -> Result<Diagnosis, Invalid> {
-    let sample = Evidence::sample(picture, SAMPLE, loss);
-    let candidates = search(&sample, expected)?;
+    let (Samples { fine, .. }, candidates, number) = Samples::new(picture, expected, losses)?;
+    let candidates = finely(&fine, candidates, expected)?;
     let size = picture.size();
     let everything = Region {
         left: 0,
@@ -37,43 +34,31 @@ pub(super) fn reach(
         width: size.width(),
         height: size.height(),
     };
-    let whole = Evidence::new(picture, vec![everything], loss);
-    let mut best = *expected;
-    let mut least = f64::INFINITY;
+    let whole = Evidence::new(picture, vec![everything], fine.loss);
+    let mut finalists = vec![];
     for candidate in candidates.iter().take(FINALISTS) {
-        let settled = settled(picture, &whole, candidate.recipe)?;
-        let settled = Candidate {
-            knobs: settled.recipe.knobs(expected),
-            ..settled
-        };
-        if settled.rank() < least {
-            least = settled.rank();
-            best = settled.recipe;
-        }
+        let recipe = with_acne(&whole, candidate.recipe)?;
+        finalists.push(Candidate {
+            recipe,
+            error: whole.error(&recipe)?,
+            knobs: recipe.knobs(expected),
+        });
     }
-    let best = necessary(&whole, best, expected)?;
+    finalists.sort_by(|a, b| a.rank().total_cmp(&b.rank()));
+    let best = finalists.first().map_or(*expected, |best| best.recipe);
+    let drawn = whole.drawn(&best)?;
+    let best = shadow::displaced(picture, &whole, &best, &drawn)?;
+    let best = necessary(&whole, with_acne(&whole, best)?, expected)?;
     Case {
         picture,
         figure,
         expected,
-        sample,
+        sample: fine,
         whole,
         candidates,
+        loss: number,
     }
     .conclude(best)
-}
-
-/// A candidate with what only the whole picture tells: where the shadow's edge is, and acne.
-fn settled(picture: &Picture, whole: &Evidence, recipe: Recipe) -> Result<Candidate, Invalid> {
-    let recipe = with_acne(whole, recipe)?;
-    let drawn = whole.drawn(&recipe)?;
-    let recipe = shadow::displaced(picture, whole, &recipe, &drawn)?;
-    let recipe = with_acne(whole, recipe)?;
-    Ok(Candidate {
-        recipe,
-        error: whole.error(&recipe)?,
-        knobs: 0,
-    })
 }
 
 /// The recipe with acne on the objects that are speckled, and on no other.
@@ -121,6 +106,7 @@ struct Case<'a> {
     sample: Evidence<'a>,
     whole: Evidence<'a>,
     candidates: Vec<Candidate>,
+    loss: usize,
 }
 
 impl Case<'_> {
@@ -129,7 +115,7 @@ impl Case<'_> {
         let (whole, expected) = (&self.whole, self.expected);
         let best = in_its_conventions(&self.sample, best)?;
         let fit = Fit::of(whole, &best, &whole.predicted(&best)?);
-        let (conventions, shows_t_max) = conventions(whole, &best)?;
+        let (conventions, shows_t_max) = conventions(whole, &best, self.loss)?;
         let mut diagnosis = Diagnosis {
             figure: self.figure.name,
             verdict: Verdict::Unknown,
@@ -239,7 +225,11 @@ fn other_scene(picture: &Picture) -> Finding {
 }
 
 /// The conventions, and whether the picture shows which `t_max` it has.
-fn conventions(whole: &Evidence, best: &Recipe) -> Result<(Conventions, bool), Invalid> {
+fn conventions(
+    whole: &Evidence,
+    best: &Recipe,
+    loss: usize,
+) -> Result<(Conventions, bool), Invalid> {
     let mut other = *best;
     let view = &mut other.viewpoint;
     view.t_max = if view.t_max.is_finite() {
@@ -252,6 +242,7 @@ fn conventions(whole: &Evidence, best: &Recipe) -> Result<(Conventions, bool), I
     let conventions = Conventions {
         sampling: best.viewpoint.sampling,
         rounding: best.rounding,
+        loss,
         t_max: shows_t_max.then_some(best.viewpoint.t_max),
     };
     Ok((conventions, shows_t_max))

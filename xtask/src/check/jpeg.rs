@@ -12,6 +12,8 @@ pub struct Jpeg {
     tables: [[u16; 64]; 2],
     /// How many luma samples a chroma sample covers, across and down; `None` for a grey picture.
     chroma: Option<[u32; 2]>,
+    /// Whether a chroma sample is the mean of what it covers, or only its upper left.
+    is_mean: bool,
 }
 
 /// The order in which JPEG stores the 64 coefficients (ITU-T T.81, figure A.6).
@@ -29,7 +31,7 @@ impl Jpeg {
     /// one or three components.
     pub fn of(file: &[u8]) -> Option<Self> {
         let mut rest = file.strip_prefix(&[0xff, 0xd8])?;
-        let mut tables = [None; 4];
+        let (mut tables, mut frame) = ([None; 4], None);
         loop {
             let &[0xff, marker, high, low, ..] = rest else {
                 return None;
@@ -42,14 +44,16 @@ impl Jpeg {
             let segment = rest.get(4..2 + length)?;
             match marker {
                 0xdb => read_tables(segment, &mut tables)?,
-                0xc0..=0xc2 => return Self::of_frame(segment, &tables),
+                0xc0..=0xc2 => frame = Some(segment),
+                // The scan: every header has been seen.
+                0xda => return Self::of_frame(frame?, &tables),
                 _ => {}
             }
             rest = &rest[2 + length..];
         }
     }
 
-    /// From the frame header (T.81, B.2.2), which comes after the tables in every file of note.
+    /// From the frame header (T.81, B.2.2).
     fn of_frame(segment: &[u8], tables: &[Option<[u16; 64]>; 4]) -> Option<Self> {
         let components = segment.get(6..)?.as_chunks::<3>().0;
         let table = |component: &[u8; 3]| *tables.get(usize::from(component[2]))?;
@@ -61,16 +65,33 @@ impl Jpeg {
             [luma] => Some(Self {
                 tables: [table(luma)?; 2],
                 chroma: None,
+                is_mean: true,
             }),
             [luma, blue, _] => {
                 let ([across, down], [less, lower]) = (factors(luma)?, factors(blue)?);
                 Some(Self {
                     tables: [table(luma)?, table(blue)?],
                     chroma: Some([(across / less).max(1), (down / lower).max(1)]),
+                    is_mean: true,
                 })
             }
             _ => None,
         }
+    }
+
+    /// The losses that the file may have had: its headers do not say how chroma was halved.
+    pub fn each(&self) -> Vec<Self> {
+        let halved = matches!(self.chroma, Some([across, down]) if across * down > 1);
+        let means = if halved {
+            vec![true, false]
+        } else {
+            vec![true]
+        };
+        let of = |is_mean| Self {
+            is_mean,
+            ..self.clone()
+        };
+        means.into_iter().map(of).collect()
     }
 
     /// The quality from 1 to 100 whose steps are nearest, as the Independent JPEG Group counts it.
@@ -265,6 +286,9 @@ impl Loss for Jpeg {
         let chroma = [1, 2].map(|component| {
             let small = [size[0].div_ceil(across), size[1].div_ceil(down)];
             let mut plane = Plane::new(small, |x, y| {
+                if !self.is_mean {
+                    return encoded[y * down * size[0] + x * across][component].round();
+                }
                 let (mut sum, mut count) = (0.0, 0.0_f32);
                 for row in (y * down..(y + 1) * down).map(|row| row.min(size[1] - 1)) {
                     for column in x * across..(x + 1) * across {
@@ -299,7 +323,7 @@ impl Loss for Jpeg {
     }
 
     fn tolerance(&self) -> u8 {
-        let [luma, chroma] = self.tables.map(|table| table[0] / 4);
+        let [luma, chroma] = self.tables.map(|table| table[0] / 6);
         (2 + luma + chroma).min(16) as u8
     }
 }
