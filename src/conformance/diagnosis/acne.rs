@@ -23,8 +23,10 @@ pub(super) struct Speckle {
     pub roughness: f64,
 }
 
-/// Bytes below this say too little.
-const DIM: u8 = 24;
+/// Bytes below this say too little, and less still where there is loss.
+fn dim(tolerance: u8) -> u8 {
+    24 + 6 * tolerance
+}
 
 impl Speckle {
     /// Looks at a whole picture, drawn without acne.
@@ -34,9 +36,10 @@ impl Speckle {
         let (mut sum, mut steps, mut pairs) = (0.0, 0.0, 0_usize);
         let mut speckle = Speckle::default();
         let mut before = None;
+        let dim = dim(evidence.loss.tolerance());
         for (at, pixel) in drawn.iter().enumerate() {
             let channel = brightest(pixel.rgb);
-            if pixel.rgb[channel] < DIM || !interior(at) {
+            if pixel.rgb[channel] < dim || !interior(at) {
                 before = None;
                 continue;
             }
@@ -61,7 +64,8 @@ impl Speckle {
     /// Whether this is acne: dark pixels, or darkened ones, that speckle the object.
     pub fn is_acne(&self, tolerance: u8) -> bool {
         let speckled = self.dark >= FEWEST && self.roughness > 0.3;
-        let darkened = self.mean < 0.95 && self.roughness > 0.08 + 0.005 * f64::from(tolerance);
+        let darkened =
+            self.mean < 0.95 && self.roughness > if tolerance > 0 { 0.042 } else { 0.08 };
         self.lit >= FEWEST && (speckled || darkened)
     }
 

@@ -59,12 +59,14 @@ impl Fit {
         let tolerance = f64::from(evidence.loss.tolerance());
         let averaged = recipe.viewpoint.sampling.is_average();
         let lost = tolerance > 0.0;
-        let most = if lost { 0.02 } else { 0.003 };
-        let acne = if recipe.acne.contains(&true) {
-            3.5 + tolerance
-        } else {
-            0.0
+        let has_acne = recipe.acne.contains(&true);
+        let most = match (lost, has_acne) {
+            (false, _) => 0.003,
+            (true, false) => 0.008,
+            // Black pixels ring where JPEG has stored them.
+            (true, true) => 0.03,
         };
+        let acne = if has_acne { 3.5 + tolerance } else { 0.0 };
         let lossy = if lost { 0.4 + tolerance / 12.0 } else { 0.0 };
         let inside = if averaged { 0.5 } else { 0.15 } + lossy + acne;
         self.unexplained <= most && self.inside <= inside

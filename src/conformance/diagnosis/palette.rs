@@ -37,6 +37,16 @@ pub(super) fn is_the_labs(picture: &Picture, loss: &dyn Loss) -> bool {
     stray * 25 <= all && colored * 20 >= all && (black + one_grey) < all
 }
 
+/// Whether a picture is of one colour, but for a few pixels: it says nothing.
+pub(super) fn is_blank(picture: &Picture) -> bool {
+    let pixels = picture.bytes().as_chunks::<3>().0;
+    let Some(middle) = pixels.get(pixels.len() / 2) else {
+        return true;
+    };
+    let other = pixels.iter().filter(|pixel| *pixel != middle).count();
+    other * 200 < pixels.len()
+}
+
 fn sorted(mut bytes: [u8; 3]) -> [u8; 3] {
     bytes.sort_unstable();
     bytes

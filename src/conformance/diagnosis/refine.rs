@@ -4,6 +4,7 @@ use super::changes::{SAME_POWER, differs};
 use super::evidence::Evidence;
 use super::recipe::{Recipe, ShadowRay};
 use crate::error::Invalid;
+use std::f64::consts::PI;
 
 /// The recipe with its wrong numbers as near to the picture as trying brings them.
 pub(super) fn refined(
@@ -18,7 +19,7 @@ pub(super) fn refined(
             r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
         })?;
     }
-    if recipe.power != expected.power && recipe.power != 1.0 / std::f64::consts::PI {
+    if recipe.power != expected.power && recipe.power != 1.0 / PI {
         search(evidence, &mut recipe, 0.04, 0.0005, |r, step| {
             r.power *= 1.0 + step;
         })?;
@@ -30,25 +31,21 @@ pub(super) fn refined(
             }
         })?;
     }
-    if evidence.loss.tolerance() > 0 {
-        for object in 0..2 {
-            for component in 0..3 {
-                if recipe.colors[object] != expected.colors[object] {
-                    search(evidence, &mut recipe, 0.02, 0.002, |r, step| {
-                        let color = &mut r.colors[object][component];
-                        *color = (*color + step).max(0.0);
-                    })?;
-                }
-            }
+    for object in [0, 1] {
+        if evidence.loss.tolerance() > 0 && recipe.colors[object] != expected.colors[object] {
+            refine_color(evidence, &mut recipe, object)?;
         }
     }
-    Ok(snapped(recipe, expected))
+    Ok(snapped(recipe, expected, evidence.loss.tolerance()))
 }
 
 /// The recipe with the expected numbers where its own are the same but for noise.
-fn snapped(mut recipe: Recipe, expected: &Recipe) -> Recipe {
-    if (recipe.power / expected.power - 1.0).abs() <= SAME_POWER {
-        recipe.power = expected.power;
+fn snapped(mut recipe: Recipe, expected: &Recipe, tolerance: u8) -> Recipe {
+    let same = SAME_POWER * (1.0 + f64::from(tolerance) / 3.0);
+    for power in [expected.power, expected.power / PI] {
+        if (recipe.power / power - 1.0).abs() <= same {
+            recipe.power = power;
+        }
     }
     if (recipe.viewpoint.fov - expected.viewpoint.fov).abs() < SAME_FOV {
         recipe.viewpoint.fov = expected.viewpoint.fov;
@@ -60,6 +57,29 @@ fn snapped(mut recipe: Recipe, expected: &Recipe) -> Recipe {
     }
     recipe
 }
+
+/// A colour that was measured through a loss: perhaps some components are 0, then the whole, then
+/// each component.
+fn refine_color(evidence: &Evidence, recipe: &mut Recipe, object: usize) -> Result<(), Invalid> {
+    let mut pure = *recipe;
+    pure.colors[object] = pure.colors[object].map(|x| if x < SMALL { 0.0 } else { x });
+    if evidence.error(&pure)? < evidence.error(recipe)? {
+        *recipe = pure;
+    }
+    search(evidence, recipe, 0.04, 0.002, |r, step| {
+        r.colors[object] = r.colors[object].map(|x| x * (1.0 + step));
+    })?;
+    for component in [0, 1, 2, 0, 1, 2] {
+        search(evidence, recipe, 0.02, 0.002, |r, step| {
+            let color = &mut r.colors[object][component];
+            *color = (*color + step).max(0.0);
+        })?;
+    }
+    Ok(())
+}
+
+/// A component that may be 0, but for what bleeds into it.
+const SMALL: f64 = 0.12;
 
 /// Fields of view differ by so many degrees.
 const SAME_FOV: f64 = 0.1;

@@ -23,52 +23,49 @@ const BEAM: usize = 10;
 /// Faults that a picture may have at once.
 const DEPTH: usize = 3;
 
-/// What one knob more must gain, in levels; else the simpler recipe is the better.
-const PER_KNOB: f64 = 0.01;
+/// What one knob more must gain: this part of the error. Else the simpler recipe is the better.
+const PER_KNOB: f64 = 1.2;
+
+/// Two recipes nearer than this, in levels, explain a picture equally well.
+const EXACT: f64 = 0.001;
 
 impl Candidate {
+    /// The error, and a price for every knob.
     pub fn rank(&self) -> f64 {
-        self.error + PER_KNOB * self.knobs as f64
+        (self.error + EXACT) * PER_KNOB.powi(self.knobs as i32)
     }
 }
 
-/// The part of the pixels on which the many hypotheses are compared, and the part for the few.
-pub(super) struct Samples<'a> {
-    /// Compared before the loss, which changes no order that matters here.
-    pub rough: Evidence<'a>,
-    pub fine: Evidence<'a>,
-}
-
-/// Pixels of the two samples.
+/// Pixels on which the many hypotheses are compared, and the few.
 const ROUGH: usize = 12_000;
 const FINE: usize = 40_000;
 
-impl<'a> Samples<'a> {
-    /// The samples of a picture, with the loss that explains it best.
-    pub fn new(
-        picture: &Picture,
-        expected: &Recipe,
-        losses: &[&'a dyn Loss],
-    ) -> Result<(Self, Vec<Candidate>, usize), Invalid> {
-        let rough = Evidence::sample(picture, ROUGH, &Lossless);
-        let candidates = roughly(&rough, expected, losses.is_empty())?;
-        let mut nearest: Option<(Evidence, usize, f64)> = None;
-        for (number, loss) in losses.iter().enumerate() {
-            let fine = Evidence::sample(picture, FINE, *loss);
-            let mut least = f64::INFINITY;
-            for candidate in candidates.iter().take(PURSUED) {
-                least = least.min(fine.error(&candidate.recipe)?);
-            }
-            if nearest.as_ref().is_none_or(|(.., known)| least < *known) {
-                nearest = Some((fine, number, least));
-            }
+/// The candidates of a picture, the part of it on which they are to be compared more finely, with
+/// the loss that explains it best, and the number of that loss.
+///
+/// The many are compared before the loss: it changes no order that matters there.
+pub(super) fn search<'a>(
+    picture: &Picture,
+    expected: &Recipe,
+    losses: &[&'a dyn Loss],
+) -> Result<(Vec<Candidate>, Evidence<'a>, usize), Invalid> {
+    let rough = Evidence::sample(picture, ROUGH, &Lossless);
+    let candidates = roughly(&rough, expected, losses.is_empty())?;
+    let mut nearest: Option<(Evidence, usize, f64)> = None;
+    for (number, loss) in losses.iter().enumerate() {
+        let fine = Evidence::sample(picture, FINE, *loss);
+        let mut least = f64::INFINITY;
+        for candidate in candidates.iter().take(PURSUED) {
+            least = least.min(fine.error(&candidate.recipe)?);
         }
-        let (fine, number) = match nearest {
-            Some((fine, number, _)) => (fine, number),
-            None => (Evidence::sample(picture, FINE, &Lossless), 0),
-        };
-        Ok((Self { rough, fine }, candidates, number))
+        if nearest.as_ref().is_none_or(|(.., known)| least < *known) {
+            nearest = Some((fine, number, least));
+        }
     }
+    Ok(match nearest {
+        Some((fine, number, _)) => (candidates, fine, number),
+        None => (candidates, Evidence::sample(picture, FINE, &Lossless), 0),
+    })
 }
 
 /// Errors below this leave nothing to explain, where nothing was lost.
@@ -99,7 +96,7 @@ fn roughly(
         front = next;
         let best = front.first().map_or(f64::INFINITY, Candidate::rank);
         let explained = lossless && before.min(best) < NOTHING;
-        if explained || best > 0.98 * before {
+        if explained || best >= before {
             break;
         }
     }

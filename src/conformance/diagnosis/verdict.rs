@@ -7,7 +7,7 @@ use super::finding::{self, Finding};
 use super::fit::{Fit, around, difference};
 use super::loss::Loss;
 use super::recipe::Recipe;
-use super::search::{Candidate, Samples, finely, in_its_conventions};
+use super::search::{Candidate, finely, in_its_conventions, search};
 use super::shade::Drawn;
 use super::surface::{Object, Region};
 use super::{Code, Conventions, Diagnosis, Margin, Verdict, palette, shadow};
@@ -25,7 +25,7 @@ pub(super) fn reach(
     expected: &Recipe,
     losses: &[&dyn Loss],
 ) -> Result<Diagnosis, Invalid> {
-    let (Samples { fine, .. }, candidates, number) = Samples::new(picture, expected, losses)?;
+    let (candidates, fine, number) = search(picture, expected, losses)?;
     let candidates = finely(&fine, candidates, expected)?;
     let size = picture.size();
     let everything = Region {
@@ -37,7 +37,7 @@ pub(super) fn reach(
     let whole = Evidence::new(picture, vec![everything], fine.loss);
     let mut finalists = vec![];
     for candidate in candidates.iter().take(FINALISTS) {
-        let recipe = with_acne(&whole, candidate.recipe)?;
+        let recipe = with_acne(&whole, candidate.recipe, expected)?;
         finalists.push(Candidate {
             recipe,
             error: whole.error(&recipe)?,
@@ -48,7 +48,7 @@ pub(super) fn reach(
     let best = finalists.first().map_or(*expected, |best| best.recipe);
     let drawn = whole.drawn(&best)?;
     let best = shadow::displaced(picture, &whole, &best, &drawn)?;
-    let best = necessary(&whole, with_acne(&whole, best)?, expected)?;
+    let best = necessary(&whole, with_acne(&whole, best, expected)?, expected)?;
     Case {
         picture,
         figure,
@@ -62,17 +62,34 @@ pub(super) fn reach(
 }
 
 /// The recipe with acne on the objects that are speckled, and on no other.
-fn with_acne(whole: &Evidence, mut recipe: Recipe) -> Result<Recipe, Invalid> {
+///
+/// Where acne averages out, a colour or a power that was fitted to what is left of the light says
+/// nothing; there the expected ones hold.
+fn with_acne(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<Recipe, Invalid> {
+    recipe.acne = [false; 2];
     if recipe.viewpoint.shadow.is_none() {
-        recipe.acne = [false; 2];
         return Ok(recipe);
     }
-    let drawn = whole.drawn(&recipe)?;
+    let mut bright = recipe;
+    (bright.power, bright.colors) = (expected.power, expected.colors);
+    let tolerance = whole.loss.tolerance();
+    let (drawn, bright_drawn) = (whole.drawn(&recipe)?, whole.drawn(&bright)?);
     for object in [Object::Sphere, Object::Plane] {
-        if let Some(index) = object.index() {
-            let speckle = Speckle::of(whole, &recipe, &drawn, object);
-            recipe.acne[index] = speckle.is_acne(whole.loss.tolerance());
+        let Some(index) = object.index() else {
+            continue;
+        };
+        let speckle = Speckle::of(whole, &bright, &bright_drawn, object);
+        if speckle.is_acne(tolerance) && (tolerance > 0 || speckle.is_averaged()) {
+            let mut darkened = recipe;
+            darkened.acne[index] = true;
+            (darkened.power, darkened.colors[index]) = (bright.power, bright.colors[index]);
+            if whole.error(&darkened)? <= whole.error(&recipe)? {
+                recipe = darkened;
+                continue;
+            }
         }
+        let speckle = Speckle::of(whole, &recipe, &drawn, object);
+        recipe.acne[index] = speckle.is_acne(tolerance);
     }
     Ok(recipe)
 }
@@ -126,7 +143,7 @@ impl Case<'_> {
             invisible: vec![],
             margin: margin(&self.sample, &best, expected, &self.candidates)?,
         };
-        if !fit.is_good(whole, &best) {
+        if !fit.is_good(whole, &best) || palette::is_blank(self.picture) {
             if palette::is_the_labs(self.picture, whole.loss) {
                 diagnosis.verdict = Verdict::Faults;
                 diagnosis.findings.push(other_scene(self.picture));
