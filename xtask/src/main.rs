@@ -4,9 +4,9 @@ use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
 use xtask::{
-    bench, compare, conform, explain, figures, kernels, output, precision, render, shadows, vectors,
+    bench, check, compare, conform, explain, figures, kernels, output, precision, render, shadows,
+    vectors,
 };
-use xtask::{check, compare, figures, kernels, output, precision, render, shadows, vectors};
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
 #[derive(Parser)]

@@ -187,7 +187,7 @@ fn noise_gradients_and_text_are_unknown() {
     let noise: Vec<u8> = (0..3 * 160 * 120).map(|_| random()).collect();
     let gradient = |i: usize| [(i % 160) as u8, (i / 160) as u8, 200];
     let lines = |i: usize| {
-        [if (i / 7 + i / 160 / 5) % 3 == 0 {
+        [if (i / 7 + i / 160 / 5).is_multiple_of(3) {
             0
         } else {
             255
