@@ -4,7 +4,8 @@ use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
 use xtask::{
-    bench, compare, conform, explain, figures, kernels, output, precision, render, shadows, vectors,
+    bench, check, compare, conform, explain, figures, kernels, output, precision, render, shadows,
+    vectors,
 };
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
@@ -31,6 +32,7 @@ enum Command {
     Vectors(vectors::Args),
     Render(render::Args),
     Bench(bench::Args),
+    Check(check::Args),
 }
 
 fn main() -> ExitCode {
@@ -60,6 +62,7 @@ fn run() -> Result<ExitCode> {
         Some(Command::Vectors(args)) => vectors::run(&args),
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Bench(args)) => bench::run(&args),
+        Some(Command::Check(args)) => check::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;
             Ok(ExitCode::SUCCESS)
