@@ -4,7 +4,8 @@ use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
 use xtask::{
-    bench, compare, conform, explain, figures, kernels, output, precision, render, shadows, vectors,
+    bench, compare, conform, digests, explain, figures, kernels, output, precision, render,
+    shadows, tidy, vectors,
 };
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
@@ -29,6 +30,8 @@ enum Command {
     Explain(explain::Args),
     Precision(precision::Args),
     Vectors(vectors::Args),
+    Digests(digests::Args),
+    Tidy(tidy::Args),
     Render(render::Args),
     Bench(bench::Args),
 }
@@ -58,6 +61,8 @@ fn run() -> Result<ExitCode> {
         Some(Command::Explain(args)) => explain::run(&args),
         Some(Command::Precision(args)) => precision::run(&args),
         Some(Command::Vectors(args)) => vectors::run(&args),
+        Some(Command::Digests(args)) => digests::run(&args),
+        Some(Command::Tidy(args)) => tidy::run(&args, &Cli::command()),
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Bench(args)) => bench::run(&args),
         None => {
