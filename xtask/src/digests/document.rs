@@ -53,3 +53,22 @@ pub fn differences(committed: &str, text: &str) -> String {
     let head = "docs/digests.md is not what this build computes (- committed, + computed)\n";
     head.to_owned() + &missing(text, "-", committed) + &missing(committed, "+", text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_differ_are_named_from_both_sides() {
+        let row = |digest: &str| Subject {
+            name: "it".to_owned(),
+            digests: vec![digest.to_owned(), String::new()],
+        };
+        let committed = text(&[row("0123")]);
+        assert_eq!(differences(&committed, &committed), "");
+        let named = differences(&committed, &text(&[row("4567")]));
+        let lines: Vec<&str> = named.lines().skip(1).collect();
+        assert_eq!(lines, ["- | it | 0123 |  |", "+ | it | 4567 |  |"]);
+        assert!(differences("", &committed).lines().count() > 10);
+    }
+}

@@ -42,7 +42,7 @@ pub fn all() -> Result<(Vec<Subject>, Vec<String>)> {
     let cases = case::load(&[])?;
     let scenes = parallel::map(&cases, |case| scene_rows(&case.at_most(WIDTH)?, &engines))?;
     scenes.into_iter().flatten().for_each(&mut add);
-    let texts = parallel::map(&KINDS, |kind| Ok((*kind, write_jsonl(*kind))))?;
+    let texts = parallel::map(&KINDS, |kind| Ok((*kind, write_jsonl(kind))))?;
     let texts = texts
         .into_iter()
         .map(|(kind, text)| (format!("vectors: {kind}.jsonl"), text));
@@ -234,4 +234,23 @@ fn figure_files() -> Result<Vec<(String, Vec<u8>)>> {
     }
     files.sort();
     Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_engine_that_computes_something_else_is_named() {
+        let engines = engines().unwrap();
+        let last = engines[engines.len() - 1];
+        let same = |_| Ok(Some(vec![1]));
+        assert_eq!(by_every_engine("it", &engines, same).unwrap().1, [""; 0]);
+        let other = |engine| Ok(Some(vec![u8::from(engine == last)]));
+        let (first, differences) = by_every_engine("it", &engines, other).unwrap();
+        assert_eq!(first, digest([0]));
+        assert_eq!(differences.len(), 1);
+        let named = format!("it: {} at {} on 2 threads", digest([1]), last.level());
+        assert!(differences[0].starts_with(&named), "{differences:?}");
+    }
 }
