@@ -184,7 +184,8 @@ proptest! {
 
     #[test]
     fn scene_files_by_mutation(seed in any::<Index>(), changes in changes()) {
-        is_read_or_refused(&changed(seed.get(&SCENES), changes))?;
+        let seed: &String = seed.get(&SCENES);
+        is_read_or_refused(&changed(seed, changes))?;
     }
 }
 
