@@ -4,8 +4,8 @@ use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
 use xtask::{
-    bench, check, compare, conform, explain, figures, kernels, output, precision, render, shadows,
-    vectors,
+    bench, check, compare, conform, digests, explain, figures, kernels, output, precision, render,
+    shadows, tidy, vectors,
 };
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
@@ -23,16 +23,18 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Figures(figures::Args),
+    Render(render::Args),
+    Explain(explain::Args),
+    Check(check::Args),
+    Conform(conform::Args),
     Shadows(shadows::Args),
     Compare(compare::Args),
-    Kernels(kernels::Args),
-    Conform(conform::Args),
-    Explain(explain::Args),
     Precision(precision::Args),
-    Vectors(vectors::Args),
-    Render(render::Args),
     Bench(bench::Args),
-    Check(check::Args),
+    Kernels(kernels::Args),
+    Vectors(vectors::Args),
+    Digests(digests::Args),
+    Tidy(tidy::Args),
 }
 
 fn main() -> ExitCode {
@@ -60,6 +62,8 @@ fn run() -> Result<ExitCode> {
         Some(Command::Explain(args)) => explain::run(&args),
         Some(Command::Precision(args)) => precision::run(&args),
         Some(Command::Vectors(args)) => vectors::run(&args),
+        Some(Command::Digests(args)) => digests::run(&args),
+        Some(Command::Tidy(args)) => tidy::run(&args, &Cli::command()),
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Bench(args)) => bench::run(&args),
         Some(Command::Check(args)) => check::run(&args),

@@ -29,13 +29,21 @@ pub struct Args {
     check: bool,
 }
 
+/// The text of docs/precision.md up to the costs: the same on every machine.
+///
+/// # Errors
+/// If a test vector cannot be judged.
+pub fn errors() -> Result<String> {
+    document::errors().map_err(Error::new)
+}
+
 /// Runs the command.
 ///
 /// # Errors
 /// If the file cannot be written.
 pub fn run(args: &Args) -> Result<ExitCode> {
     let root = workspace::root()?;
-    let errors = document::errors().map_err(Error::new)?;
+    let errors = errors()?;
     let path = root.join("docs").join("precision.md");
     if args.check {
         let text = fs::read_to_string(&path).unwrap_or_default();

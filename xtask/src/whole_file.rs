@@ -1,4 +1,8 @@
 //! Files that are written whole or not at all.
+//!
+//! A file is filled under another name beside its place and then renamed. Its writer holds a lock on
+//! it, which the system takes back however the writer ends. So an unfinished file that nobody locks
+//! was left by a writer that was killed, and whoever writes to the same directory next removes it.
 
 use crate::error::{Error, Result};
 use std::collections::BTreeSet;
@@ -23,7 +27,7 @@ pub struct WholeFile {
 }
 
 impl WholeFile {
-    /// Starts the file, and makes the directory it belongs to.
+    /// Starts the file, and makes the directory it belongs to; removes what killed writers left there.
     ///
     /// # Errors
     /// If the directory cannot be made or written to, or the place is itself a directory.
@@ -35,23 +39,15 @@ impl WholeFile {
         }
         let directory = target.parent().unwrap_or(Path::new(""));
         make_directory(directory)?;
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(PREFIX);
-        #[cfg(unix)]
-        {
-            use std::os::unix::fs::PermissionsExt;
-            builder.permissions(fs::Permissions::from_mode(0o666));
-        }
-        // Created under the lock: an interrupt either sees the file or comes before it.
-        let mut unfinished = unfinished();
         let beside = if directory.as_os_str().is_empty() {
             Path::new(".")
         } else {
             directory
         };
-        let file = builder
-            .tempfile_in(beside)
-            .map_err(|error| cannot_write(target, &error))?;
+        // Created under the mutex: an interrupt either sees the file or comes before it.
+        let mut unfinished = unfinished();
+        remove_abandoned(beside);
+        let file = locked_file(beside).map_err(|error| cannot_write(target, &error))?;
         unfinished.insert(file.path().to_path_buf());
         Ok(Self {
             file,
@@ -78,6 +74,50 @@ impl WholeFile {
         match kept {
             Ok(_) => Ok(()),
             Err(failed) => Err(cannot_write(&self.target, &failed.error)),
+        }
+    }
+}
+
+/// A new file under a name that nobody takes for a finished one, locked.
+fn locked_file(directory: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(PREFIX);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    loop {
+        let file = builder.tempfile_in(directory)?;
+        // Where files cannot be locked, nobody can hold this one for abandoned either.
+        let _ = file.as_file().lock();
+        // Another writer may have held it for abandoned before the lock was ours.
+        if file.path().exists() {
+            return Ok(file);
+        }
+    }
+}
+
+/// Removes the unfinished files of writers that are no more. What cannot be read, locked or removed
+/// stays: it is in nobody's way.
+fn remove_abandoned(directory: &Path) {
+    let Ok(entries) = fs::read_dir(directory) else {
+        return;
+    };
+    for entry in entries.flatten() {
+        let is_unfinished = entry
+            .file_name()
+            .as_encoded_bytes()
+            .starts_with(PREFIX.as_bytes());
+        if !is_unfinished || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            continue;
+        }
+        let path = entry.path();
+        // The lock is held while the file is removed, so its writer cannot come in between.
+        if let Ok(file) = File::open(&path)
+            && file.try_lock().is_ok()
+        {
+            let _ = fs::remove_file(&path);
         }
     }
 }

@@ -1,11 +1,9 @@
-//! Scene files: those of the project draw the same picture however they are computed, and no file
-//! makes the reader panic.
+//! Scene files: those of the project draw the same picture however they are computed.
 
 use ombrage::{
     DirectLighting, Engine, Film, Integrator, LabChain, Level, Lighting, PerspectiveCamera,
     Picture, Quality, Relative, Scalar, Shadow, ShadowQuery, Size,
 };
-use proptest::prelude::*;
 use std::fs;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
@@ -183,80 +181,4 @@ fn a_camera_without_end_sees_the_plane_up_to_the_horizon() {
     assert!(is_background(&infinite, horizon - 1));
     assert!(!is_background(&infinite, horizon));
     assert!(is_background(&finite, horizon));
-}
-
-/// A change of a text: at a place, so many bytes go, and others come.
-fn change() -> impl Strategy<Value = (prop::sample::Index, usize, String)> {
-    let words = prop::sample::select(vec![
-        "nan",
-        "inf",
-        "-inf",
-        "-1",
-        "0",
-        "1e308",
-        "1e-320",
-        "1e999",
-        "0x10",
-        "9223372036854775808",
-        "[",
-        "]",
-        "[[sphere]]\n",
-        "[camera]\n",
-        "radius = ",
-        "center = ",
-        "\"",
-        "'''",
-        "\n",
-        "#",
-        "=",
-        ",",
-        "{",
-        "}",
-        ".",
-        "\u{0}",
-        "\u{e9}",
-        "\u{1f300}",
-        "true",
-        "1979-05-27",
-        "up",
-    ]);
-    let text = prop_oneof![words.prop_map(str::to_owned), ".{0,3}"];
-    (any::<prop::sample::Index>(), 0_usize..12, text)
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
-
-    #[test]
-    fn no_file_makes_the_reader_or_the_chains_panic(
-        changes in prop::collection::vec(change(), 1..4),
-    ) {
-        let mut bytes = include_bytes!("../../tests/scenes/three_lights.toml").to_vec();
-        for (place, gone, text) in changes {
-            let start = place.index(bytes.len() + 1);
-            let end = bytes.len().min(start + gone);
-            bytes.splice(start..end, text.into_bytes());
-        }
-        let directory = tempfile::tempdir().expect("a directory");
-        let path = directory.path().join("changed.toml");
-        fs::write(&path, &bytes).expect("a file");
-        match scene_file::load(&path) {
-            Err(error) => {
-                let message = error.to_string();
-                let place = message.strip_prefix(&format!("{}:", path.display()));
-                let line = place.and_then(|rest| rest.split_once(':')).map(|(line, _)| line);
-                let line: Option<usize> = line.and_then(|line| line.parse().ok());
-                prop_assert!(line.is_some_and(|line| line > 0), "{message}");
-                prop_assert_eq!(message.lines().count(), 1);
-            }
-            Ok(file) => {
-                let size = Size::new(3, 2).expect("a size");
-                let (engine, way) = (Engine::default(), (Quality::Wide, Shadow::UlpOffset));
-                relative::<f32>(&file, size, engine);
-                relative::<f64>(&file, size, engine);
-                lab::<f32>(&file, size, engine, way);
-                lab::<f64>(&file, size, engine, way);
-            }
-        }
-    }
 }

@@ -1,0 +1,111 @@
+//! The texts of the project.
+
+use crate::error::{Error, Result};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Where texts are.
+const ROOMS: [&str; 8] = [
+    "src",
+    "tests",
+    "xtask",
+    "docs",
+    ".ci",
+    ".cargo",
+    "README.md",
+    "Cargo.toml",
+];
+
+/// What texts end in; those in .ci have no ending.
+const ENDINGS: [&str; 6] = ["rs", "md", "toml", "css", "js", ""];
+
+/// A text and its path from the workspace, with slashes.
+pub struct Text {
+    /// The path.
+    pub path: String,
+    /// All of it.
+    pub text: String,
+}
+
+/// The texts of the project, sorted by path.
+pub struct House {
+    root: PathBuf,
+    files: Vec<Text>,
+}
+
+impl House {
+    /// Reads the workspace at `root`.
+    ///
+    /// # Errors
+    /// If a file cannot be read, or is not UTF-8.
+    pub fn read(root: &Path) -> Result<Self> {
+        let mut house = Self {
+            root: root.to_path_buf(),
+            files: vec![],
+        };
+        for room in ROOMS {
+            house.enter(room)?;
+        }
+        house.files.sort_by(|a, b| a.path.cmp(&b.path));
+        Ok(house)
+    }
+
+    /// A house of these paths and texts, for tests.
+    #[cfg(test)]
+    pub fn of(files: &[(&str, &str)]) -> Self {
+        let text = |(path, text): &(&str, &str)| Text {
+            path: (*path).into(),
+            text: (*text).into(),
+        };
+        Self {
+            root: PathBuf::new(),
+            files: files.iter().map(text).collect(),
+        }
+    }
+
+    /// Its texts.
+    pub fn files(&self) -> &[Text] {
+        &self.files
+    }
+
+    /// Those whose name has this ending.
+    pub fn ending<'a>(&'a self, ending: &'a str) -> impl Iterator<Item = &'a Text> {
+        self.files
+            .iter()
+            .filter(move |file| file.path.ends_with(ending))
+    }
+
+    /// Whether there is such a file or directory.
+    pub fn has(&self, path: &str) -> bool {
+        self.files.iter().any(|file| file.path == path) || self.root.join(path).exists()
+    }
+
+    fn enter(&mut self, path: &str) -> Result<()> {
+        let place = self.root.join(path);
+        let failed = |error: std::io::Error| {
+            Error::new(format!(
+                "cannot read {}: {error}; make it readable",
+                place.display()
+            ))
+        };
+        if place.is_dir() {
+            for entry in fs::read_dir(&place).map_err(failed)? {
+                let name = entry.map_err(failed)?.file_name();
+                self.enter(&format!("{path}/{}", name.to_string_lossy()))?;
+            }
+        } else {
+            let ending = Path::new(path)
+                .extension()
+                .unwrap_or_default()
+                .to_string_lossy();
+            if ENDINGS.contains(&ending.as_ref()) {
+                let text = fs::read_to_string(&place).map_err(failed)?;
+                self.files.push(Text {
+                    path: path.to_owned(),
+                    text,
+                });
+            }
+        }
+        Ok(())
+    }
+}

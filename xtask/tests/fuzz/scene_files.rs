@@ -1,0 +1,205 @@
+//! Scene files: read or refused, and drawn.
+
+use crate::{cases, changed, changes, seeds};
+use ombrage::{
+    Engine, Film, LabChain, Level, Lighting, PerspectiveCamera, Quality, Relative, Scalar, Shadow,
+    Size, View,
+};
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+use std::fs;
+use std::num::NonZero;
+use std::sync::LazyLock;
+use xtask::case;
+use xtask::scene_file::{self, SceneFile};
+
+static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| seeds("scenes"));
+
+/// Numbers as a scene file may have them: mostly usual, some on the edge, some none.
+fn number() -> impl Strategy<Value = String> {
+    let edges = select(
+        "0 -0.0 1 -1 1e-320 5e-324 1e-46 3.5e38 1e154 1.7e308 -1e308 inf -inf nan 1e999 \
+            0x10 9223372036854775808 16777217 0.30000000000000004 1e-8"
+            .split_whitespace()
+            .collect::<Vec<_>>(),
+    );
+    let wrong = select(
+        "true \"1\" [1] 1979-05-27 1. {} 0b2 --1"
+            .split_whitespace()
+            .collect::<Vec<_>>(),
+    );
+    prop_oneof![
+        12 => (-10.0..10.0_f64).prop_map(|x| x.to_string()),
+        3 => any::<f64>().prop_map(|x| format!("{x:e}")),
+        4 => edges.prop_map(str::to_owned),
+        1 => wrong.prop_map(str::to_owned),
+    ]
+}
+
+/// Three numbers, or seldom another count.
+fn triple() -> impl Strategy<Value = String> {
+    let count = prop_oneof![30 => Just(3_usize), 1 => 0_usize..6];
+    let numbers = count.prop_flat_map(|count| prop::collection::vec(number(), count));
+    numbers.prop_map(|numbers| format!("[{}]", numbers.join(", ")))
+}
+
+/// A table with its keys; seldom one is missing, twice there or unknown.
+fn table(
+    header: &'static str,
+    keys: &'static [(&'static str, bool)],
+) -> impl Strategy<Value = String> {
+    let values = prop::collection::vec((number(), triple()), keys.len());
+    let slip = prop_oneof![20 => Just(0_u8), 1 => Just(1), 1 => Just(2), 1 => Just(3)];
+    (values, slip, any::<Index>()).prop_map(move |(values, slip, place)| {
+        let pairs = keys.iter().zip(&values);
+        let mut lines: Vec<String> = pairs
+            .map(|((key, is_triple), (one, three))| {
+                format!("{key} = {}\n", if *is_triple { three } else { one })
+            })
+            .collect();
+        match (slip, lines.is_empty()) {
+            (1, false) => drop(lines.remove(place.index(lines.len()))),
+            (2, false) => lines.push(lines[place.index(lines.len())].clone()),
+            (3, _) => lines.push("zebra = 1\n".to_owned()),
+            _ => {}
+        }
+        format!("{header}\n{}", lines.concat())
+    })
+}
+
+/// A scene file by its grammar.
+fn scene() -> impl Strategy<Value = String> {
+    let objects = prop_oneof![
+        table(
+            "[[sphere]]",
+            &[("center", true), ("radius", false), ("color", true)]
+        ),
+        table(
+            "[[plane]]",
+            &[("point", true), ("normal", true), ("color", true)]
+        ),
+        table(
+            "[[light]]",
+            &[("position", true), ("color", true), ("power", false)]
+        ),
+    ];
+    (
+        table("", &[("background", true), ("t_max", false)]),
+        table(
+            "[camera]",
+            &[
+                ("position", true),
+                ("look_at", true),
+                ("up", true),
+                ("fov", false),
+            ],
+        ),
+        prop::collection::vec(objects, 0..6),
+    )
+        .prop_map(|(head, camera, objects)| {
+            let image = "[image]\nwidth = 3\nheight = 2\n";
+            format!(
+                "name = \"any\"\n{head}\n{camera}\n{image}\n{}",
+                objects.join("\n")
+            )
+        })
+}
+
+/// The file is drawn in every way, or refused in one line that names the file and the line.
+fn is_read_or_refused(bytes: &[u8]) -> Result<(), TestCaseError> {
+    let directory = tempfile::tempdir().expect("a directory");
+    let path = directory.path().join("any.toml");
+    fs::write(&path, bytes).expect("a file");
+    match scene_file::load(&path) {
+        Err(error) => {
+            let message = error.to_string();
+            let place = message.strip_prefix(&format!("{}:", path.display()));
+            let line = place
+                .and_then(|rest| rest.split_once(':'))
+                .map(|(line, _)| line);
+            let line: Option<usize> = line.and_then(|line| line.parse().ok());
+            prop_assert!(line.is_some_and(|line| line > 0), "{message}");
+            prop_assert_eq!(message.lines().count(), 1);
+        }
+        Ok(file) => {
+            draw::<f32>(&file)?;
+            draw::<f64>(&file)?;
+        }
+    }
+    Ok(())
+}
+
+fn draw<S: Scalar>(file: &SceneFile) -> Result<(), TestCaseError> {
+    let size = Size::new(5, 3).expect("a size");
+    let one = NonZero::new(1);
+    let scalar = Engine::new(Level::Scalar, one).expect("every machine has it");
+    let best = Engine::new(Level::best(), one).expect("this machine has it");
+    for lighting in [Lighting::Eye, Lighting::Shadowed] {
+        let chain = Relative::<S>::new(&file.scene, &file.view, size, lighting);
+        let Ok(chain) = chain else { continue };
+        let same =
+            scalar.render(&chain, size, Film::Clamp) == best.render(&chain, size, Film::Clamp);
+        prop_assert!(
+            same,
+            "{lighting:?} differs at {} in {}",
+            best.level(),
+            S::NAME
+        );
+    }
+    let view: View<S> = file.view.cast();
+    let camera = PerspectiveCamera::new(&view, S::from_f64(size.aspect()));
+    let (Ok(scene), Ok(camera)) = (file.scene.cast::<S>(), camera) else {
+        return Ok(());
+    };
+    for quality in Quality::ALL {
+        for shadow in Shadow::ALL {
+            let integrator = case::direct(quality, Some(shadow));
+            let chain = LabChain {
+                scene: &scene,
+                camera: &camera,
+                integrator,
+            };
+            let same =
+                scalar.render(&chain, size, Film::Wrap) == best.render(&chain, size, Film::Wrap);
+            prop_assert!(
+                same,
+                "{quality:?} {shadow:?} at {} in {}",
+                best.level(),
+                S::NAME
+            );
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases(1000))]
+
+    #[test]
+    fn scene_files_by_grammar(text in scene()) {
+        is_read_or_refused(text.as_bytes())?;
+    }
+
+    #[test]
+    fn scene_files_by_mutation(seed in any::<Index>(), changes in changes()) {
+        let seed: &String = seed.get(&SCENES);
+        is_read_or_refused(&changed(seed, changes))?;
+    }
+}
+
+/// A grammar that is never obeyed tests little.
+#[test]
+fn the_grammar_makes_scenes_that_are_read() {
+    let mut runner = TestRunner::deterministic();
+    let directory = tempfile::tempdir().expect("a directory");
+    let path = directory.path().join("any.toml");
+    let read = (0..400).filter(|_| {
+        let text = scene().new_tree(&mut runner).expect("a scene").current();
+        fs::write(&path, text).expect("a file");
+        scene_file::load(&path).is_ok()
+    });
+    let read = read.count();
+    assert!((40..360).contains(&read), "{read} of 400 are read");
+}
