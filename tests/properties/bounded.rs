@@ -288,7 +288,7 @@ pub fn nothing_is_known_beyond_the_largest_number() {
             most * most,
             most / of(S::MIN_POSITIVE),
             one / zero,
-            zero / zero,
+            zero / -zero,
             infinite + one,
             infinite * zero,
             nan + one,

@@ -125,11 +125,11 @@ impl Reference {
             [light] => Some(of(Some(light)).bytes()),
             lights => {
                 let truths: Vec<_> = lights.iter().map(|light| of(Some(light))).collect();
-                let sum = |i: usize| truths.iter().map(|t| t.li[i].round(Format::F64)).sum();
                 let [r, g, b] = [0, 1, 2].map(|i: usize| {
-                    let scaled: f64 = 255.0 * Iterator::sum::<f64>(std::iter::once::<f64>(sum(i)));
+                    let radiance: f64 = truths.iter().map(|t| t.li[i].round(Format::F64)).sum();
+                    let scaled = 255.0 * radiance;
                     let clear = (scaled - scaled.round()).abs() > 1e-9 || scaled == 0.0;
-                    clear.then(|| scaled as u8)
+                    clear.then_some(scaled as u8)
                 });
                 Some([r?, g?, b?])
             }
