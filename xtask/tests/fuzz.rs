@@ -31,10 +31,14 @@ fn seeds(folder: &str) -> Vec<String> {
 
 /// `PROPTEST_CASES`, or so many.
 fn cases(usual: u32) -> ProptestConfig {
-    match std::env::var_os("PROPTEST_CASES") {
-        Some(_) => ProptestConfig::default(),
-        None => ProptestConfig::with_cases(usual),
+    let mut config = ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
+    if std::env::var_os("PROPTEST_CASES").is_none() {
+        config.cases = usual;
     }
+    config
 }
 
 /// A change of a text: at a place, so many bytes go, and others come.

@@ -44,7 +44,9 @@ fn unknown(rest: &str, program: &clap::Command) -> Option<String> {
                 .get_arguments()
                 .any(|arg| arg.get_long() == Some(long))
     };
-    let long = words.filter_map(option).find(|long| !has(long))?;
+    // What follows a bare `--` is another program's.
+    let mut options = words.take_while(|word| *word != "--").filter_map(option);
+    let long = options.find(|long| !has(long))?;
     Some(format!("{name} --{long}: there is no such option"))
 }
 
@@ -63,6 +65,7 @@ mod tests {
             ("  $ draw FILE          write --what is drawn", None),
             ("`$ --help` and `$ COMMAND`", None),
             ("$ draw --help", None),
+            ("$ draw --out a -- other --over", None),
             ("$ erase", Some("a:1: $ erase: there is no such command")),
             (
                 "$ draw --out a --over",

@@ -11,14 +11,16 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use std::fs;
 use std::num::NonZero;
+use std::ops::Range;
 use std::sync::LazyLock;
 use xtask::case;
 use xtask::scene_file::{self, SceneFile};
 
 static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| seeds("scenes"));
 
-/// Numbers as a scene file may have them: mostly usual, some on the edge, some none.
-fn number() -> impl Strategy<Value = String> {
+/// Numbers as a scene file may have them: mostly of this range, few of any size or on the edge, very
+/// few none; a scene has about forty.
+fn number(usual: Range<f64>) -> impl Strategy<Value = String> {
     let edges = select(
         "0 -0.0 1 -1 1e-320 5e-324 1e-46 3.5e38 1e154 1.7e308 -1e308 inf -inf nan 1e999 \
             0x10 9223372036854775808 16777217 0.30000000000000004 1e-8"
@@ -31,17 +33,18 @@ fn number() -> impl Strategy<Value = String> {
             .collect::<Vec<_>>(),
     );
     prop_oneof![
-        12 => (-10.0..10.0_f64).prop_map(|x| x.to_string()),
-        3 => any::<f64>().prop_map(|x| format!("{x:e}")),
-        4 => edges.prop_map(str::to_owned),
+        500 => usual.prop_map(|x| x.to_string()),
+        5 => any::<f64>().prop_map(|x| format!("{x:e}")),
+        10 => edges.prop_map(str::to_owned),
         1 => wrong.prop_map(str::to_owned),
     ]
 }
 
 /// Three numbers, or seldom another count.
-fn triple() -> impl Strategy<Value = String> {
-    let count = prop_oneof![30 => Just(3_usize), 1 => 0_usize..6];
-    let numbers = count.prop_flat_map(|count| prop::collection::vec(number(), count));
+fn triple(usual: Range<f64>) -> impl Strategy<Value = String> {
+    let count = prop_oneof![300 => Just(3_usize), 1 => 0_usize..6];
+    let number = move |count| prop::collection::vec(number(usual.clone()), count);
+    let numbers = count.prop_flat_map(number);
     numbers.prop_map(|numbers| format!("[{}]", numbers.join(", ")))
 }
 
@@ -50,14 +53,17 @@ fn table(
     header: &'static str,
     keys: &'static [(&'static str, bool)],
 ) -> impl Strategy<Value = String> {
-    let values = prop::collection::vec((number(), triple()), keys.len());
-    let slip = prop_oneof![20 => Just(0_u8), 1 => Just(1), 1 => Just(2), 1 => Just(3)];
+    let value = |&(key, is_triple): &(&str, bool)| match (key, is_triple) {
+        (_, false) => number(0.1..100.0).boxed(),
+        ("color" | "background", true) => triple(0.0..1.0).boxed(),
+        (_, true) => triple(-10.0..10.0).boxed(),
+    };
+    let values: Vec<_> = keys.iter().map(value).collect();
+    let slip = prop_oneof![100 => Just(0_u8), 1 => Just(1), 1 => Just(2), 1 => Just(3)];
     (values, slip, any::<Index>()).prop_map(move |(values, slip, place)| {
         let pairs = keys.iter().zip(&values);
         let mut lines: Vec<String> = pairs
-            .map(|((key, is_triple), (one, three))| {
-                format!("{key} = {}\n", if *is_triple { three } else { one })
-            })
+            .map(|((key, _), value)| format!("{key} = {value}\n"))
             .collect();
         match (slip, lines.is_empty()) {
             (1, false) => drop(lines.remove(place.index(lines.len()))),
