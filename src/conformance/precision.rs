@@ -45,8 +45,8 @@ const QUOTIENT: &str = "three differences, two products of three terms and a quo
     itself: B = 4 κ_num + 3 κ_den + 1";
 const NO_PROMISE: &str = "b² - 4ac cancels, so there is no promise to keep; what passes here passes by \
     luck, and the known failures are long";
-const RESIDUAL: &str = "the residual discriminant and Vieta's second root, in the format itself: proven \
-    3 u B away from the surface (Ray Tracing Gems, chapter 7), and less on these cases";
+const RESIDUAL: &str = "the residual discriminant and Vieta's second root, in the format itself: at \
+    most 9 roundings in a row where nothing cancels, and less on these cases";
 const ONE_UP: &str = "exact decisions; one precision up for the number, which is then rounded once: \
     half a unit and what is left of the wider error";
 const DECISION: &str = "one truth value; any error is the wrong answer";

@@ -44,7 +44,8 @@ pub struct SphereHit {
     pub p: [Surd; 3],
     /// The unit normal there, away from the centre.
     pub n_out: [Surd; 3],
-    /// `|t_computed - t| <= K u bound_u |t|`, where a stable form keeps K <= 3 away from the surface. `None` at t = 0 and at a tangent.
+    /// `|t_computed - t| <= K u bound_u |t|`, where a stable form keeps K below 9. `None` at t = 0
+    /// and at a tangent.
     pub bound_u: Option<f64>,
 }
 
