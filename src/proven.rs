@@ -2,7 +2,7 @@
 //!
 //! Ziv's strategy for correctly rounded functions, applied to pixels (A. Ziv, "Fast evaluation of
 //! elementary mathematical functions with correctly rounded last bit", ACM TOMS 17 (1991)): the
-//! kernels of [`Relative`] run on numbers that carry a bound of their error, [`Bounded`]. A pixel
+//! kernels of [`Relative`](crate::Relative) run on numbers that carry a bound of their error, [`Bounded`]. A pixel
 //! is proven when every decision on its way was certain and no bound reaches over the border of a
 //! byte; the others are done again, one precision up.
 
@@ -128,7 +128,7 @@ impl Proven {
 /// ```
 ///
 /// # Errors
-/// As [`Relative::new`].
+/// As [`Relative::new`](crate::Relative::new).
 pub fn render_proven(
     scene: &Scene<f64>,
     view: &View<f64>,
@@ -146,7 +146,7 @@ impl Engine {
     /// Renders like [`render_proven`]. Every engine gives the same picture and the same proof.
     ///
     /// # Errors
-    /// As [`Relative::new`].
+    /// As [`Relative::new`](crate::Relative::new).
     pub fn render_proven(
         self,
         scene: &Scene<f64>,
