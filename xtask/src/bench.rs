@@ -156,7 +156,7 @@ fn count_instructions(as_json: bool) -> Result<ExitCode> {
 /// None: all scenes are valid, and all levels are the processor's own.
 pub fn measure(plan: &Plan, bar: &ProgressBar) -> Result<Bench> {
     let pictures = plan.sizes.len() + plan.growing_sizes.len() + plan.spheres.len();
-    bar.set_length(2 * pictures as u64 + 1);
+    bar.inc_length(2 * pictures as u64 + 1);
     let machine = machine::look();
     bar.set_message("the machine's limits");
     let (mut limits, mut operations) = (limits::measure::<f32>(), vec![]);

@@ -4,16 +4,18 @@ pub mod moved;
 mod subject;
 mod verdict;
 
+pub use subject::Subject;
+pub use verdict::Verdict;
 pub(crate) use verdict::differing;
 
 use crate::error::{Error, Result};
 use crate::table::{Table, grouped};
 use crate::{case, clock, output, progress};
+use indicatif::ProgressBar;
 use ombrage::FIGURES;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::process::ExitCode;
-use subject::{Subject, Way};
-use verdict::Verdict;
+use subject::Way;
 
 /// Compare f32 with f64 with the truth, on every figure and scene
 ///
@@ -52,13 +54,18 @@ pub struct Args {
 const ROUNDS: usize = 7;
 
 /// A picture computed in one way.
-#[derive(Serialize)]
-struct Row {
-    picture: String,
-    way: &'static str,
-    f32: Verdict,
-    f64: Verdict,
-    time_f64_over_f32: f64,
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// `figure 3c`, or the name of a scene.
+    pub picture: String,
+    /// `lab` or `relative`.
+    pub way: String,
+    /// What is wrong with it in `f32`.
+    pub f32: Verdict,
+    /// The same in `f64`.
+    pub f64: Verdict,
+    /// The time it takes in `f64` over that in `f32`, one pixel at a time.
+    pub time_f64_over_f32: f64,
 }
 
 /// Runs the command.
@@ -74,7 +81,10 @@ pub fn run(args: &Args) -> Result<ExitCode> {
             moved::table(&rows)
         }
     } else {
-        let rows = compare(&args.pictures)?;
+        let subjects = subjects(&args.pictures)?;
+        let bar = progress::bar(subjects.len() as u64, true);
+        let rows = measure(&subjects, &bar)?;
+        bar.finish_and_clear();
         if args.json {
             json(&rows)?
         } else {
@@ -85,7 +95,11 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn compare(names: &[String]) -> Result<Vec<Row>> {
+/// The figures and scenes of these names; all of them where none is named.
+///
+/// # Errors
+/// If there is no such scene, or it cannot be read.
+pub fn subjects(names: &[String]) -> Result<Vec<Subject>> {
     let is_figure = |name: &&String| FIGURES.iter().any(|figure| figure.name == **name);
     let (figures, scenes): (Vec<_>, Vec<_>) = names.iter().partition(is_figure);
     let mut subjects = vec![];
@@ -98,14 +112,20 @@ fn compare(names: &[String]) -> Result<Vec<Row>> {
         let scenes: Vec<String> = scenes.into_iter().cloned().collect();
         subjects.extend(case::load(&scenes)?.into_iter().map(Subject::scene));
     }
-    let bar = progress::bar(subjects.len() as u64, true);
+    Ok(subjects)
+}
+
+/// Both ways of every picture; each finished picture is a step of the bar.
+///
+/// # Errors
+/// If a scene is invalid in a format.
+pub fn measure(subjects: &[Subject], bar: &ProgressBar) -> Result<Vec<Row>> {
     let mut rows = vec![];
-    for subject in &subjects {
+    for subject in subjects {
         bar.set_message(subject.name());
         rows.extend(judge(subject)?);
         bar.inc(1);
     }
-    bar.finish_and_clear();
     Ok(rows)
 }
 
@@ -120,7 +140,7 @@ fn judge(subject: &Subject) -> Result<Vec<Row>> {
         let seconds = clock::interleaved(ROUNDS, &mut tasks);
         rows.push(Row {
             picture: subject.name(),
-            way: way.name(),
+            way: way.name().into(),
             f32: Verdict::of(&truth, &single),
             f64: Verdict::of(&truth, &double),
             time_f64_over_f32: seconds[1] / seconds[0],
@@ -153,7 +173,7 @@ fn table(rows: &[Row]) -> String {
             ];
             let mut cells = vec![
                 row.picture.clone(),
-                row.way.to_owned(),
+                row.way.clone(),
                 float.to_owned(),
                 format!("{:.1e}", verdict.largest),
                 format!("{:.1e}", verdict.mean),

@@ -14,7 +14,7 @@ use crate::proof::Proof;
 use crate::table::Table;
 use crate::workspace;
 use job::{Outcome, Row, Task};
-use ombrage::{FIGURES, Figure, Size};
+use ombrage::{Counts, Engine, FIGURES, Figure, Picture, Size};
 use serde::Serialize;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -83,6 +83,37 @@ struct Names(Vec<&'static Figure>);
 #[derive(Serialize)]
 struct Report {
     figures: Vec<Row>,
+}
+
+/// A figure as the lab has it, in `f32`, with its sheet and what happens at its pixels.
+pub struct Drawn {
+    /// The figure.
+    pub figure: &'static Figure,
+    /// Exactly the pixels computed.
+    pub picture: Picture,
+    /// The same with notes; `None` for Figure 1, which needs none.
+    pub sheet: Option<Picture>,
+    /// What happens at its pixels; those that pass 255 are counted as wrapped, whatever the film.
+    pub counts: Counts,
+}
+
+/// Draws all figures.
+///
+/// # Errors
+/// If there is no memory for them.
+pub fn draw_all() -> Result<Vec<Drawn>> {
+    let (engine, surveys) = (Engine::default(), Surveys::default());
+    let draw = |figure: &'static Figure| {
+        let picture = figure.draw_with::<f32>(Size::LAB, engine)?;
+        let (counts, sheet) = job::study::<f32>(figure, picture.clone(), engine, &surveys)?;
+        Ok(Drawn {
+            figure,
+            picture,
+            sheet,
+            counts,
+        })
+    };
+    FIGURES.iter().map(draw).collect()
 }
 
 /// Runs the command.

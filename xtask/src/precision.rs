@@ -2,6 +2,7 @@
 
 mod cost;
 mod document;
+pub mod measure;
 
 use crate::error::{Error, Result};
 use crate::output;
@@ -34,7 +35,8 @@ pub struct Args {
 /// # Errors
 /// If a test vector cannot be judged.
 pub fn errors() -> Result<String> {
-    document::errors().map_err(Error::new)
+    let rows = measure::errors().map_err(Error::new)?;
+    Ok(document::errors(&rows))
 }
 
 /// Runs the command.
@@ -43,7 +45,8 @@ pub fn errors() -> Result<String> {
 /// If the file cannot be written.
 pub fn run(args: &Args) -> Result<ExitCode> {
     let root = workspace::root()?;
-    let errors = errors()?;
+    let rows = measure::errors().map_err(Error::new)?;
+    let errors = document::errors(&rows);
     let path = root.join("docs").join("precision.md");
     if args.check {
         let text = fs::read_to_string(&path).unwrap_or_default();
@@ -57,7 +60,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
         ))?;
         return Ok(ExitCode::from(1));
     }
-    let costs = document::costs().map_err(Error::new)?;
+    let costs = document::costs(&measure::costs(), &rows);
     let text = errors + document::COSTS + &costs;
     let mut file = WholeFile::create(&path)?;
     file.write(|file| file.write_all(text.as_bytes()))?;

@@ -9,21 +9,21 @@ mod time;
 mod trial;
 
 pub use count::Wrong;
+pub use least_offset::Offsets;
 pub use report::{Row, Total, totals};
 pub use strategy::Strategy;
 pub(crate) use strategy::{Hits, by_sidedness};
+pub use time::Times;
 
 use crate::case::{self, Case};
 use crate::error::{Error, Result};
 use crate::whole_file::WholeFile;
 use crate::{output, parallel, picture_file, progress};
 use indicatif::ProgressBar;
-use least_offset::Offsets;
 use ombrage::{Quality, Scalar};
 use serde::Serialize;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use time::Times;
 use trial::Trial;
 
 /// Measure every shadow strategy on every scene: what it gets wrong, and what it costs
@@ -83,7 +83,7 @@ pub struct Args {
 }
 
 /// The scenes whose time is taken where none is named: two objects, and many.
-const TIMED: [&str; 2] = ["base", "many125"];
+pub const TIMED: [&str; 2] = ["base", "many125"];
 
 /// Rounds of timing.
 const ROUNDS: usize = 25;
@@ -117,12 +117,7 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     let quality = args.quality;
     let bar = progress::bar(2 * cases.len() as u64, true);
     if args.least_offset {
-        let offsets = in_both(
-            &cases,
-            &bar,
-            |case| Offsets::of::<f32>(case, quality),
-            |case| Offsets::of::<f64>(case, quality),
-        )?;
+        let offsets = offsets(&cases, quality, &bar)?;
         bar.finish_and_clear();
         let text = if args.json {
             json(&offsets)?
@@ -134,15 +129,8 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     }
     let rows = judge(&cases, quality, &bar)?;
     let is_timed = |case: &&Case| !args.scenes.is_empty() || TIMED.contains(&case.name.as_str());
-    let mut times = vec![];
-    for case in cases.iter().filter(is_timed).filter(|_| !args.no_time) {
-        if case.scene.lights().is_empty() {
-            continue;
-        }
-        bar.set_message(format!("timing {}", case.name));
-        times.push(time::take::<f32>(case, quality, ROUNDS)?);
-        times.push(time::take::<f64>(case, quality, ROUNDS)?);
-    }
+    let timed = cases.iter().filter(is_timed).filter(|_| !args.no_time);
+    let times = times(timed, quality, &bar)?;
     bar.finish_and_clear();
     if let Some(out) = &args.out {
         let picture = heat_map::draw(&rows)?;
@@ -183,13 +171,45 @@ pub fn judge(cases: &[Case], quality: Quality, bar: &ProgressBar) -> Result<Vec<
     Ok(rows.into_iter().flatten().collect())
 }
 
+/// The constant offsets that serve each scene, in `f32` and in `f64`; every finished scene and
+/// format is a step of the bar.
+///
+/// # Errors
+/// If a scene is invalid in a format.
+pub fn offsets(cases: &[Case], quality: Quality, bar: &ProgressBar) -> Result<Vec<Offsets>> {
+    in_both(
+        cases,
+        bar,
+        |case| Offsets::of::<f32>(case, quality),
+        |case| Offsets::of::<f64>(case, quality),
+    )
+}
+
+/// The times of all strategies on each scene that has a light, in `f32` and in `f64`.
+///
+/// # Errors
+/// If a scene is invalid in a format.
+pub fn times<'a>(
+    cases: impl Iterator<Item = &'a Case>,
+    quality: Quality,
+    bar: &ProgressBar,
+) -> Result<Vec<Times>> {
+    let mut times = vec![];
+    for case in cases.filter(|case| !case.scene.lights().is_empty()) {
+        bar.set_message(format!("timing {}", case.name));
+        times.push(time::take::<f32>(case, quality, ROUNDS)?);
+        times.push(time::take::<f64>(case, quality, ROUNDS)?);
+    }
+    Ok(times)
+}
+
 /// What every strategy gets wrong on a scene in a format.
 fn judge_in<S: Scalar>(case: &Case, quality: Quality) -> Result<Vec<Row>> {
     let trials = Trial::<S>::each(case, quality)?;
     let row = |strategy: Strategy| {
         Ok(Row {
             scene: case.name.clone(),
-            float: S::NAME,
+            float: S::NAME.into(),
             strategy: strategy.name(),
             wrong: trial::wrong_in_all(&trials, strategy)?,
         })

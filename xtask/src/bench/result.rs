@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Everything one run measured.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bench {
     /// On what.
     pub machine: Machine,
@@ -26,7 +26,7 @@ pub struct Bench {
 }
 
 /// The machine, and the state it is in.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Machine {
     /// The processor's name, or its architecture where the system does not tell.
     pub processor: String,

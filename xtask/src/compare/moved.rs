@@ -11,14 +11,14 @@ use ombrage::{
     Film, Integrator, LabChain, Lighting, Picture, Plane, PointLight, Quality, Relative, Scalar,
     Scene, Shadow, Size, Sphere, View, lab,
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Moves along each axis: 10^0 to 10^8. The sum of two whole numbers below 2^53 is exact, so the
 /// true picture is that of the scene at its place.
 const EXPONENTS: std::ops::RangeInclusive<i32> = 0..=8;
 
 /// Wrong bytes of a picture of 600 x 400 pixels, in the order of the table.
-#[derive(Debug, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// By how much the scene is moved along each axis.
     pub moved_by: f64,
@@ -29,7 +29,7 @@ pub struct Row {
 }
 
 /// Wrong bytes of each way.
-#[derive(Debug, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Wrong {
     /// The lab's chain, textbook kernels, offset by units in the last place.
     pub lab: usize,

@@ -3,10 +3,10 @@
 use super::subject::Computed;
 use crate::truth::TruePixel;
 use ombrage::{DoubleDouble, Pixel, Scalar};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What is wrong with a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// The largest error of a component of the radiance, where nothing flips.
     pub largest: f64,

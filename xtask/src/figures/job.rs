@@ -8,7 +8,7 @@ use crate::picture_file;
 use crate::proof::Proof;
 use crate::whole_file::WholeFile;
 use indicatif::ProgressBar;
-use ombrage::{Engine, Figure, Film, Picture, Scalar, Size};
+use ombrage::{Counts, Engine, Figure, Film, Picture, Scalar, Size};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -100,31 +100,10 @@ pub fn work<S: Scalar>(
     let mut outcomes = vec![plain];
     bar.inc(1);
 
-    let view = View::of(size);
-    let shown = view.thin_out(picture);
-    let undivided = Figure {
-        detail: None,
-        ..*figure
-    };
-    let whole = match figure.detail {
-        None => None,
-        Some(_) => Some(view.thin_out(undivided.draw_with::<S>(size, engine)?)),
-    };
-    let findings = surveys.of::<S>(figure, size, &view)?;
-    let counts = findings.counts;
+    let (counts, sheet) = study::<S>(figure, picture, engine, surveys)?;
     bar.inc(1);
 
-    if is_annotated(figure) && !proven {
-        let study = Study {
-            figure,
-            size,
-            float: S::NAME,
-            view,
-            shown,
-            whole,
-            findings,
-        };
-        let sheet = annotate(&study)?;
+    if let Some(sheet) = sheet.filter(|_| !proven) {
         outcomes.push(task.treat(&Path::new("annotated").join(&name), &sheet)?.1);
     }
     bar.inc(1);
@@ -148,6 +127,43 @@ pub fn work<S: Scalar>(
         proof,
     };
     Ok((row, outcomes))
+}
+
+/// Counts what happens at the pixels of a figure, and draws its sheet if it has one.
+///
+/// # Errors
+/// If there is no memory for it.
+pub fn study<S: Scalar>(
+    figure: &'static Figure,
+    picture: Picture,
+    engine: Engine,
+    surveys: &Surveys,
+) -> Result<(Counts, Option<Picture>)> {
+    let size = picture.size();
+    let view = View::of(size);
+    let shown = view.thin_out(picture);
+    let undivided = Figure {
+        detail: None,
+        ..*figure
+    };
+    let whole = match figure.detail {
+        None => None,
+        Some(_) => Some(view.thin_out(undivided.draw_with::<S>(size, engine)?)),
+    };
+    let findings = surveys.of::<S>(figure, size, &view)?;
+    if !is_annotated(figure) {
+        return Ok((findings.counts, None));
+    }
+    let study = Study {
+        figure,
+        size,
+        float: S::NAME,
+        view,
+        shown,
+        whole,
+        findings,
+    };
+    Ok((findings.counts, Some(annotate(&study)?)))
 }
 
 impl Task<'_> {

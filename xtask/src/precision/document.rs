@@ -1,10 +1,8 @@
 //! The text of docs/precision.md.
 
-use super::cost::{KERNELS, costs as measure};
+use super::measure::{Costs, Errors};
 use ombrage::Quality;
-use ombrage::conformance::{
-    Allowed, Judged, KNOWN_FAILURES, Kernel, Measured, Trial, known_failures, precision, vectors,
-};
+use ombrage::conformance::KNOWN_FAILURES;
 
 /// The line at which the costs begin, which differ from one machine and run to the next.
 pub const COSTS: &str = "## Speed against error\n";
@@ -53,49 +51,25 @@ own chain need no better quality than the default, since they rest on sides and 
 }
 
 /// Everything but the costs.
-///
-/// # Errors
-/// None: the vectors are valid.
-pub fn errors() -> Result<String, String> {
+pub fn errors(rows: &[Errors]) -> String {
     let mut text = HEAD.to_owned();
-    let (mut beyond, mut all_cases) = ([0; 3], 0);
     text += "## Errors\n\n";
     text += "| kernel | quality | float | allowed | measured | cases | wrong decisions | wrong roots | \
         families known to fail | why no less |\n|---|---|---|---|---|---|---|---|---|---|\n";
-    for kernel in Kernel::ALL {
-        let cases = vectors(kernel)?;
-        for (quality, beyond) in Quality::ALL.into_iter().zip(&mut beyond) {
-            if !kernel.has_qualities() && quality != Quality::default() {
-                continue;
-            }
-            for float in ["f32", "f64"] {
-                let judged = Trial::of_kit(&cases, quality, float).judged;
-                let known = known_failures(kernel, quality, float).count();
-                let all = Measured::of(&judged);
-                if kernel.has_qualities() {
-                    *beyond += all.failing;
-                    all_cases += all.cases;
-                }
-                let outside = outside_known(&judged, kernel, quality, float);
-                let precision = precision(kernel, quality, float);
-                let quality = if kernel.has_qualities() {
-                    quality.name()
-                } else {
-                    "all"
-                };
-                text += &format!(
-                    "| {} | {quality} | {float} | {} | {} | {} | {} | {} | {} | {} |\n",
-                    kernel.name(),
-                    precision.allowed,
-                    measured(&outside, precision.allowed),
-                    all.cases,
-                    all.decisions,
-                    all.roots,
-                    known,
-                    precision.reason,
-                );
-            }
-        }
+    for row in rows {
+        text += &format!(
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+            row.kernel,
+            row.quality,
+            row.float,
+            row.allowed,
+            row.measured,
+            row.cases,
+            row.decisions,
+            row.roots,
+            row.known,
+            row.reason,
+        );
     }
     text += "\n## Known failures\n\n| kernel | qualities | floats | families | why |\n|---|---|---|---|---|\n";
     for known in KNOWN_FAILURES {
@@ -110,25 +84,19 @@ pub fn errors() -> Result<String, String> {
         );
     }
     text += "\n";
-    text += &default_quality(beyond, all_cases / Quality::ALL.len());
-    Ok(text)
-}
-
-fn measured(measured: &Measured, allowed: Allowed) -> String {
-    match allowed {
-        Allowed::Exact | Allowed::Bytes(_) => {
-            format!("{} wrong", measured.decisions + measured.others)
-        }
-        Allowed::CorrectlyRounded | Allowed::Ulp(_) => format!("{:.3} ulp", measured.ulps),
-        Allowed::Bound(_) => format!("{:.3} u B", measured.bounds),
-    }
+    let of = |quality: Quality| {
+        let rows = rows.iter().filter(move |row| row.quality == quality.name());
+        rows.fold((0, 0), |(beyond, cases), row| {
+            (beyond + row.beyond, cases + row.cases)
+        })
+    };
+    let [textbook, stable, wide] = Quality::ALL.map(of);
+    text += &default_quality([textbook.0, stable.0, wide.0], textbook.1);
+    text
 }
 
 /// What each quality costs on this machine, beside its error.
-///
-/// # Errors
-/// None: the vectors are valid.
-pub fn costs() -> Result<String, String> {
+pub fn costs(costs: &[Costs], errors: &[Errors]) -> String {
     let mut text = "
 Scalar code on one core, all qualities in turns in one process: the median of 301 measurements of 512
 calls, and the median ratio to `textbook` of measurements in a row. They differ between machines and
@@ -139,38 +107,25 @@ roots; beyond: cases whose error is beyond what is allowed, known failures inclu
 |---|---|---|---|---|---|---|---|---|
 "
     .to_owned();
-    for kernel in Kernel::ALL
-        .into_iter()
-        .filter(|kernel| KERNELS.contains(&kernel.name()))
-    {
-        let cases = vectors(kernel)?;
-        let costs = [measure::<f32>(kernel.name()), measure::<f64>(kernel.name())];
-        for (float, costs) in ["f32", "f64"].into_iter().zip(costs) {
-            for (quality, cost) in Quality::ALL.into_iter().zip(costs) {
-                let judged = Trial::of_kit(&cases, quality, float).judged;
-                let all = Measured::of(&judged);
-                let allowed = precision(kernel, quality, float).allowed;
-                text += &format!(
-                    "| {} | {float} | {} | {:.1} | {:.2} | {} | {} | {} | {} |\n",
-                    kernel.name(),
-                    quality.name(),
-                    cost.ns,
-                    cost.ratio,
-                    measured(&outside_known(&judged, kernel, quality, float), allowed),
-                    all.decisions + all.roots,
-                    all.failing,
-                    all.cases,
-                );
-            }
-        }
+    for cost in costs {
+        let is_same = |row: &&Errors| {
+            row.kernel == cost.kernel && row.quality == cost.quality && row.float == cost.float
+        };
+        let Some(error) = errors.iter().find(is_same) else {
+            continue;
+        };
+        text += &format!(
+            "| {} | {} | {} | {:.1} | {:.2} | {} | {} | {} | {} |\n",
+            cost.kernel,
+            cost.float,
+            cost.quality,
+            cost.ns,
+            cost.ratio,
+            error.measured,
+            error.decisions + error.roots,
+            error.beyond,
+            error.cases,
+        );
     }
-    Ok(text)
-}
-
-/// The largest errors of the cases outside the known failures.
-fn outside_known(judged: &[Judged], kernel: Kernel, quality: Quality, float: &str) -> Measured {
-    let known =
-        |family: &str| known_failures(kernel, quality, float).any(|(failing, _)| failing == family);
-    let regular = |judged: &&Judged| !known(judged.case.family());
-    Measured::of(judged.iter().filter(regular))
+    text
 }

@@ -2,11 +2,11 @@
 
 use crate::truth::TruePixel;
 use ombrage::{Pixel, Size};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// How many pixels a strategy gets wrong, of those that show the same surface as the truth and that
 /// the light stands before; per light.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Wrong {
     /// Pixels judged: one shadow ray each.
     pub rays: usize,

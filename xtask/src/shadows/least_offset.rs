@@ -7,15 +7,15 @@ use crate::case::Case;
 use crate::error::Result;
 use crate::table::Table;
 use ombrage::{Quality, Scalar, Shadow};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The constant offsets that serve a scene, in scene units.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Offsets {
     /// The scene.
     pub scene: String,
     /// The format.
-    pub float: &'static str,
+    pub float: String,
     /// The smallest without acne; `None`: none up to 10^6.
     pub least: Option<f64>,
     /// The largest without a leak or a false shadow; `None`: not even 10^-18.
@@ -52,7 +52,7 @@ impl Offsets {
         };
         Ok(Self {
             scene: case.name.clone(),
-            float: S::NAME,
+            float: S::NAME.into(),
             least: least.map(length),
             most,
         })
@@ -112,7 +112,7 @@ pub fn table(offsets: &[Offsets]) -> String {
         let serves = if offset.serve() { "yes" } else { "no constant" };
         table.row(vec![
             offset.scene.clone(),
-            offset.float.to_owned(),
+            offset.float.clone(),
             show(offset.least),
             show(offset.most),
             serves.to_owned(),

@@ -4,15 +4,15 @@ use super::count::Wrong;
 use super::strategy::Strategy;
 use super::time::Times;
 use crate::table::{Table, grouped};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What a strategy gets wrong on a scene.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The scene.
     pub scene: String,
     /// The format.
-    pub float: &'static str,
+    pub float: String,
     /// The strategy.
     pub strategy: String,
     /// The counts.
@@ -26,7 +26,7 @@ pub struct Total {
     /// The strategy.
     pub strategy: String,
     /// The format.
-    pub float: &'static str,
+    pub float: String,
     /// The sums of the counts.
     #[serde(flatten)]
     pub wrong: Wrong,
@@ -44,7 +44,7 @@ pub fn totals(rows: &[Row]) -> Vec<Total> {
         let place = place.unwrap_or_else(|| {
             totals.push(Total {
                 strategy: row.strategy.clone(),
-                float: row.float,
+                float: row.float.clone(),
                 wrong: Wrong::default(),
                 scenes_wrong: 0,
             });
@@ -129,11 +129,7 @@ pub fn scenes_table(rows: &[Row], times: &[Times]) -> String {
         let of = |times: &&Times| times.scene == row.scene && times.float == row.float;
         let place = order.iter().position(|name| *name == row.strategy);
         let ns = times.iter().find(of).zip(place);
-        let mut cells = vec![
-            row.scene.clone(),
-            row.strategy.clone(),
-            row.float.to_owned(),
-        ];
+        let mut cells = vec![row.scene.clone(), row.strategy.clone(), row.float.clone()];
         let counts = [
             wrong.rays,
             wrong.acne,

@@ -5,15 +5,15 @@ use crate::case::{self, Case};
 use crate::clock;
 use crate::error::Result;
 use ombrage::{Lighting, Quality, Scalar, Shadow};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The times of all strategies on a scene.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Times {
     /// The scene.
     pub scene: String,
     /// The format.
-    pub float: &'static str,
+    pub float: String,
     /// Nanoseconds a shadow ray, in the order of [`Strategy::all`]. Of the lab's chain: to make the
     /// ray from a known hit, and to ask the scene. Of sidedness, where a light has no ray of its
     /// own: the time of the picture less that of the picture without shadows.
@@ -62,7 +62,7 @@ pub fn take<S: Scalar>(case: &Case, quality: Quality, rounds: usize) -> Result<T
     });
     Ok(Times {
         scene: case.name.clone(),
-        float: S::NAME,
+        float: S::NAME.into(),
         ns_per_ray: ns_per_ray.collect(),
         ms_ulp_offset: ulp_offset * 1e3,
         ms_sidedness: sidedness * 1e3,
