@@ -20,6 +20,7 @@ pub mod precision;
 pub mod progress;
 pub mod proof;
 pub mod render;
+pub mod report;
 pub mod scene_file;
 pub mod shadows;
 pub mod table;

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use xtask::error::{Error, Result};
 use xtask::{
     bench, check, compare, conform, digests, explain, figures, kernels, output, precision, render,
-    shadows, tidy, vectors,
+    report, shadows, tidy, vectors,
 };
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
@@ -24,6 +24,7 @@ struct Cli {
 enum Command {
     Figures(figures::Args),
     Render(render::Args),
+    Report(report::Args),
     Explain(explain::Args),
     Check(check::Args),
     Conform(conform::Args),
@@ -65,6 +66,7 @@ fn run() -> Result<ExitCode> {
         Some(Command::Digests(args)) => digests::run(&args),
         Some(Command::Tidy(args)) => tidy::run(&args, &Cli::command()),
         Some(Command::Render(args)) => render::run(&args),
+        Some(Command::Report(args)) => report::run(&args),
         Some(Command::Bench(args)) => bench::run(&args),
         Some(Command::Check(args)) => check::run(&args),
         None => {

@@ -15,3 +15,11 @@ pub fn bar(steps: u64, long: bool) -> ProgressBar {
     bar.enable_steady_tick(Duration::from_millis(100));
     bar
 }
+
+/// Lets a bar say how much time is left, too.
+pub fn show_time_left(bar: &ProgressBar) {
+    let template = "{spinner} {wide_bar} {percent:>3} %  {msg}  {eta} left";
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style);
+    }
+}
