@@ -12,7 +12,7 @@ does. Pictures and radiance are computed at every level that the processor has, 
 two, and must agree before they are compared with this file.
 
 This is a claim only where it was run: Rust 1.95, Linux on x86-64, on a processor with all levels from
-`scalar` to `avx512`, in these builds (`cargo xtask digests --builds all`):
+`scalar` to `avx512`, in the first two of these builds; `cargo xtask digests --builds all` runs them all:
 
 ";
 
