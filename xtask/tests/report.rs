@@ -86,8 +86,8 @@ fn the_page_shows_the_numbers_of_its_data() {
         "1,234,562",
         "77,771",
         "77,772",
-        "1,111.1",
-        "99.25",
+        "1111.1",
+        "98.8 ns",
     ];
     assert!(marks.iter().all(|mark| !before.contains(mark)));
     for row in &mut data.shadows {
@@ -106,13 +106,12 @@ fn the_page_shows_the_numbers_of_its_data() {
         row.ratio_to_lab_way = 1111.1;
     }
     for cost in &mut data.costs {
-        cost.ns = 99.25;
+        cost.ns = 98.76;
     }
     let after = page(&data, &pictures).expect("a page");
-    assert!(after.contains("1,234,561") && after.contains("1,234,562"));
-    assert!(after.contains("77,771") && after.contains("77,772"));
-    assert!(after.contains("1111.1"));
-    assert!(after.contains("99.2 ns") || after.contains("99.3 ns"));
+    for mark in marks {
+        assert!(after.contains(mark), "{mark}");
+    }
 }
 
 #[test]
