@@ -2,9 +2,9 @@
 
 mod annotate;
 mod job;
-pub(crate) mod sheet;
+mod sheet;
 mod study;
-pub(crate) mod view;
+mod view;
 
 use crate::arguments::{Format, Machine, parse_size};
 use crate::error::{Error, Result};
