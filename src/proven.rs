@@ -2,9 +2,9 @@
 //!
 //! Ziv's strategy for correctly rounded functions, applied to pixels (A. Ziv, "Fast evaluation of
 //! elementary mathematical functions with correctly rounded last bit", ACM TOMS 17 (1991)): the
-//! kernels of [`Relative`](crate::Relative) run on numbers that carry a bound of their error, [`Bounded`]. A pixel
-//! is proven when every decision on its way was certain and no bound reaches over the border of a
-//! byte; the others are done again, one precision up.
+//! kernels of [`Relative`](crate::Relative) run on numbers that carry a bound of their error,
+//! [`Bounded`]. A pixel is proven when every decision on its way was certain and no bound reaches
+//! over the border of a byte; the others are done again, one precision up.
 
 mod byte;
 mod exactly;
