@@ -62,7 +62,7 @@ impl Size {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     size: Size,
-    bytes: Vec<u8>,
+    pixels: Vec<[u8; 3]>,
 }
 
 impl Picture {
@@ -70,7 +70,7 @@ impl Picture {
     ///
     /// # Errors
     /// If there are not exactly three bytes a pixel.
-    pub fn new(size: Size, bytes: Vec<u8>) -> Result<Self, Invalid> {
+    pub fn new(size: Size, bytes: &[u8]) -> Result<Self, Invalid> {
         if bytes.len() != 3 * size.pixels() {
             let value = bytes.len().to_string();
             return Err(Invalid {
@@ -79,7 +79,31 @@ impl Picture {
                 must_be: "three for each pixel",
             });
         }
-        Ok(Self { size, bytes })
+        let (pixels, _) = bytes.as_chunks();
+        let pixels = pixels.to_vec();
+        Ok(Self { size, pixels })
+    }
+
+    /// A picture of these pixels, row-major.
+    ///
+    /// # Errors
+    /// If there are not as many as the size says.
+    pub fn from_pixels(size: Size, pixels: Vec<[u8; 3]>) -> Result<Self, Invalid> {
+        if pixels.len() != size.pixels() {
+            let value = pixels.len().to_string();
+            return Err(Invalid {
+                field: "picture pixels",
+                value,
+                must_be: "width x height",
+            });
+        }
+        Ok(Self { size, pixels })
+    }
+
+    /// A black picture.
+    pub fn black(size: Size) -> Self {
+        let pixels = vec![[0; 3]; size.pixels()];
+        Self { size, pixels }
     }
 
     /// Width and height.
@@ -89,7 +113,7 @@ impl Picture {
 
     /// The bytes: width x height x 3, row-major.
     pub fn bytes(&self) -> &[u8] {
-        &self.bytes
+        self.pixels.as_flattened()
     }
 
     /// The pixel in column `x` and row `y`, both from 0; `None` outside.
@@ -97,24 +121,29 @@ impl Picture {
         if x >= self.size.width {
             return None;
         }
-        let start = 3 * (y as usize * self.size.width as usize + x as usize);
-        self.bytes.get(start..start + 3)?.try_into().ok()
+        let place = y as usize * self.size.width as usize + x as usize;
+        self.pixels.get(place).copied()
     }
 
-    /// A picture whose bytes are known to fit.
-    pub(crate) fn from_rendering(size: Size, bytes: Vec<u8>) -> Self {
-        debug_assert_eq!(bytes.len(), 3 * size.pixels());
-        Self { size, bytes }
+    /// A picture whose pixels are known to be as many as its size says.
+    pub(crate) fn from_rendering(size: Size, pixels: Vec<[u8; 3]>) -> Self {
+        debug_assert_eq!(pixels.len(), size.pixels());
+        Self { size, pixels }
+    }
+
+    /// Its pixels to be overwritten, row-major; they must stay as many.
+    pub(crate) fn pixels_mut(&mut self) -> &mut Vec<[u8; 3]> {
+        &mut self.pixels
     }
 
     /// The picture of this size whose pixel in column x and row y is `pixel(x, y)`.
     pub fn from_fn(size: Size, mut pixel: impl FnMut(u32, u32) -> [u8; 3]) -> Self {
-        let mut bytes = Vec::with_capacity(3 * size.pixels());
+        let mut pixels = Vec::with_capacity(size.pixels());
         for y in 0..size.height {
             for x in 0..size.width {
-                bytes.extend(pixel(x, y));
+                pixels.push(pixel(x, y));
             }
         }
-        Self { size, bytes }
+        Self { size, pixels }
     }
 }

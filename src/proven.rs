@@ -167,33 +167,40 @@ impl Engine {
         };
         let above = Mutex::new(vec![]);
         let width = size.width() as usize;
-        let mut pixels = self.share(size, 0..size.height(), [0; 3], |rows, pixels| {
-            let mut open = vec![];
-            let (first, count) = (rows.start, rows.len() * width);
-            if scene.lights().len() > MANY_LIGHTS {
-                pixels.resize(pixels.len() + count, [0; 3]);
-                open.extend(0..count);
-            } else {
-                let rows = Rows {
-                    prover: &single,
-                    size,
-                    rows,
-                    pixels,
-                    open: &mut open,
-                };
-                in_single_packets(self.level(), rows);
-            }
-            let start = first as usize * width;
-            let climbed = open.into_iter().map(|i| {
-                let (column, row) = ((i % width) as u32, first + (i / width) as u32);
-                let (rung, bytes) = climb(column, row).unwrap_or((Rung::Undecided, [0; 3]));
-                pixels[i] = bytes;
-                (start + i, rung)
-            });
-            let climbed: Vec<_> = climbed.collect();
-            let mut above = above.lock().unwrap_or_else(PoisonError::into_inner);
-            above.extend(climbed);
-        });
+        let mut pixels = vec![];
+        self.share(
+            size,
+            0..size.height(),
+            [0; 3],
+            &mut pixels,
+            |rows, pixels| {
+                let mut open = vec![];
+                let (first, count) = (rows.start, rows.len() * width);
+                if scene.lights().len() > MANY_LIGHTS {
+                    pixels.resize(pixels.len() + count, [0; 3]);
+                    open.extend(0..count);
+                } else {
+                    let rows = Rows {
+                        prover: &single,
+                        size,
+                        rows,
+                        pixels,
+                        open: &mut open,
+                    };
+                    in_single_packets(self.level(), rows);
+                }
+                let start = first as usize * width;
+                let climbed = open.into_iter().map(|i| {
+                    let (column, row) = ((i % width) as u32, first + (i / width) as u32);
+                    let (rung, bytes) = climb(column, row).unwrap_or((Rung::Undecided, [0; 3]));
+                    pixels[i] = bytes;
+                    (start + i, rung)
+                });
+                let climbed: Vec<_> = climbed.collect();
+                let mut above = above.lock().unwrap_or_else(PoisonError::into_inner);
+                above.extend(climbed);
+            },
+        );
         let above = above.into_inner().unwrap_or_else(PoisonError::into_inner);
         let mut rungs = vec![Rung::F32; size.pixels()];
         let mut open = vec![];
@@ -220,7 +227,7 @@ impl Engine {
             }
         }
         Ok(Proven {
-            picture: Picture::from_rendering(size, pixels.into_flattened()),
+            picture: Picture::from_rendering(size, pixels),
             undecided,
             rungs,
         })

@@ -21,10 +21,18 @@ pub fn pictures_are_refused_by_field_and_value() {
     let size = Size::new(2, 3).expect("the size is valid");
     for bytes in [0, 17, 19] {
         refused(
-            Picture::new(size, vec![0; bytes]),
+            Picture::new(size, &vec![0; bytes]),
             "picture bytes",
             &bytes.to_string(),
         );
     }
-    assert!(Picture::new(size, vec![0; 18]).is_ok());
+    assert!(Picture::new(size, &[0; 18]).is_ok());
+    for pixels in [0, 5, 7] {
+        refused(
+            Picture::from_pixels(size, vec![[0; 3]; pixels]),
+            "picture pixels",
+            &pixels.to_string(),
+        );
+    }
+    assert!(Picture::from_pixels(size, vec![[0; 3]; 6]).is_ok());
 }

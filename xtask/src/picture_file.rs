@@ -68,5 +68,5 @@ pub fn read(path: &Path) -> Result<Picture> {
     reader
         .next_frame(&mut bytes)
         .map_err(|error| failed(&error))?;
-    Ok(Picture::new(size, bytes)?)
+    Ok(Picture::new(size, &bytes)?)
 }

@@ -37,7 +37,7 @@ fn read(path: &Path) -> Picture {
     let size = Size::new(reader.info().width, reader.info().height).expect("a size");
     let mut bytes = vec![0; reader.output_buffer_size().expect("a size")];
     reader.next_frame(&mut bytes).expect("pixels");
-    Picture::new(size, bytes).expect("RGB")
+    Picture::new(size, &bytes).expect("RGB")
 }
 
 /// Every file below a directory with its bytes, sorted.

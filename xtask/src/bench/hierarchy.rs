@@ -61,7 +61,7 @@ impl<S: Scalar> Hierarchical<S> {
     {
         let mut bytes = vec![0; 3 * size.pixels()];
         S::fill(self, level, size, &mut bytes);
-        Picture::new(size, bytes)
+        Picture::new(size, &bytes)
     }
 
     /// All rows, each first to a row of its own that has room for the last packet.

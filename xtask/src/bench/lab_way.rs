@@ -65,23 +65,20 @@ impl<F: Float> Program<F> {
     /// Renders a picture of at least two columns and two rows.
     ///
     /// # Errors
-    /// None: there are three bytes a pixel.
+    /// None: there are as many pixels as the size says.
     pub fn render(&self, size: Size) -> Result<Picture, Invalid> {
         let zero = F::from_f64(0.0);
         let place = |i: u32, n: u32| F::from_f64(f64::from(i)) / F::from_f64(f64::from(n - 1));
-        let mut bytes = vec![0; 3 * size.pixels()];
-        let mut pixels = bytes.chunks_exact_mut(3);
+        let mut pixels = Vec::with_capacity(size.pixels());
         for j in 0..size.height() {
             let sy = place(j, size.height());
             for i in 0..size.width() {
                 let ray = self.camera.ray(place(i, size.width()), sy);
                 let color = self.integrator.li(&self.scene, &ray, zero, self.t_max);
-                if let Some(pixel) = pixels.next() {
-                    pixel.copy_from_slice(&color.to_array().map(byte));
-                }
+                pixels.push(color.to_array().map(byte));
             }
         }
-        Picture::new(size, bytes)
+        Picture::from_pixels(size, pixels)
     }
 }
 

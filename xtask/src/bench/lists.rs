@@ -82,7 +82,8 @@ pub fn variants() -> Vec<Contender> {
     contenders
 }
 
-/// Both chains one by one and at the best level, and where there are many spheres the hierarchy.
+/// Both chains one by one and at the best level; where there are many spheres the hierarchy too,
+/// else the default on two threads.
 pub fn growth(with_spheres: bool) -> Vec<Contender> {
     let mut contenders = vec![baseline()];
     for level in [Level::Scalar, Level::best()] {
@@ -93,6 +94,9 @@ pub fn growth(with_spheres: bool) -> Vec<Contender> {
             contenders.push(Contender::new(nearest, level));
         }
         contenders.push(Contender::new(Way::Relative, level));
+    }
+    if !with_spheres {
+        contenders.push(Contender::new(Way::Relative, Level::best()).on_two_threads());
     }
     contenders.dedup();
     contenders

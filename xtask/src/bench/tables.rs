@@ -167,15 +167,16 @@ fn is_baseline(row: &Row) -> bool {
 }
 
 /// Whether the wrong bytes of a chain stand in the table: the tree and nearest hits have those of
-/// the lab's chain.
+/// the lab's chain, and two threads those of one.
 fn is_judged(row: &Row) -> bool {
-    is_baseline(row) || row.chain == "relative" || chain(row) == "lab"
+    is_baseline(row) || ["lab", "relative"].contains(&&*chain(row))
 }
 
 /// A chain's name in the head of a column.
 fn chain(row: &Row) -> String {
     match (&*row.chain, row.query.as_deref()) {
         ("lab", Some("nearest")) => "lab, nearest hit".into(),
+        (chain, _) if row.threads > 1 => format!("{chain} x {} threads", row.threads),
         (chain, _) => chain.into(),
     }
 }

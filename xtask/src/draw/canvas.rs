@@ -141,13 +141,13 @@ impl Canvas {
     /// If it has more pixels than a picture may have.
     pub fn into_picture(self) -> Result<Picture> {
         let size = Size::new(self.pixmap.width(), self.pixmap.height())?;
-        let bytes = self
+        let pixels = self
             .pixmap
             .data()
             .chunks_exact(4)
-            .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
+            .map(|pixel| [pixel[0], pixel[1], pixel[2]])
             .collect();
-        Ok(Picture::new(size, bytes)?)
+        Ok(Picture::from_pixels(size, pixels)?)
     }
 }
 

@@ -131,18 +131,14 @@ impl Job<'_> {
         let height = self.size.height();
         let steps = (self.pairs() / STEP).clamp(1, height as usize);
         let rows = height.div_ceil(steps as u32);
-        let mut bytes = Vec::with_capacity(3 * self.size.pixels());
+        let mut pixels = Vec::with_capacity(self.size.pixels());
         for first in (0..height).step_by(rows as usize) {
             let rows = first..first.saturating_add(rows).min(height);
             bar.inc(u64::from(rows.end - rows.start));
-            bytes.extend(
-                engine
-                    .render_rows(chain, self.size, Film::Clamp, rows)
-                    .into_flattened(),
-            );
+            pixels.extend(engine.render_rows(chain, self.size, Film::Clamp, rows));
         }
         bar.finish_and_clear();
-        Ok(Picture::new(self.size, bytes)?)
+        Ok(Picture::from_pixels(self.size, pixels)?)
     }
 
     /// A scene or camera that is valid in `f64` but not in this format.
