@@ -113,6 +113,7 @@ properties! {
         bounds_hold_in_double_double
         moderate_numbers_stay_known
         nothing_is_known_beyond_the_largest_number
+        large_quotients_are_within_their_bounds
         a_rounded_double_double_is_within_its_bound
         half_tangents_are_within_their_bounds
         choices_are_those_of_three_valued_logic

@@ -258,6 +258,21 @@ pub fn bounds_hold_in_double_double() {
     bounds_hold::<DoubleDouble>();
 }
 
+/// Quotients too large for the products that their remainders are found by.
+pub fn large_quotients_are_within_their_bounds() {
+    let exactly = |exponents| {
+        known::<DoubleDouble>(exponents).prop_map(|known| Known {
+            error: DoubleDouble::from_f64(0.0),
+            truth: exact(known.value),
+            ..known
+        })
+    };
+    for_all(
+        (exactly(960..990), exactly(-60..0)),
+        quotients::<_, Rigorous>,
+    );
+}
+
 /// Bounds are not only right but close: within a tenth of the first-order error.
 pub fn moderate_numbers_stay_known() {
     let number = || (-12..12i32, 1.0..2.0f64).prop_map(|(e, m)| m * f64::from(e).exp2());

@@ -130,7 +130,8 @@ impl<B: Real<Scalar: Rounded>, P: Proof> Mul for Bounded<B, P> {
 ///
 /// and 1/(1 - x) is below 1.0161, the allowance on x included. 1.02 leaves a part in 300 for the
 /// four roundings of the terms; the reciprocal, which may underflow, is off by at most 2^-22 of
-/// itself even then. Where x is larger the bound is undefined: so is a quotient by zero.
+/// itself even then. Where x is larger the bound is undefined: so is a quotient by zero. The
+/// quotient itself has to be within the format's limits too: its remainder is found by a product.
 impl<B: Real<Scalar: Rounded>, P: Proof> Div for Bounded<B, P> {
     type Output = Self;
 
@@ -146,6 +147,7 @@ impl<B: Real<Scalar: Rounded>, P: Proof> Div for Bounded<B, P> {
         let rounding = magnitude * one.constant(B::Scalar::QUOTIENT);
         let error = inherited + rounding + one.constant(B::Scalar::ETA);
         Self::new(value, times(error, P::QUOTIENT))
+            .within_limits()
             .only_where(relative.le(one.constant(MOST_RELATIVE)))
     }
 }
