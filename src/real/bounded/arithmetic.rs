@@ -24,8 +24,8 @@ fn times<B: Real>(error: B, factor: f64) -> B {
 }
 
 impl<B: Real<Scalar: Rounded>, P: Proof> Bounded<B, P> {
-    /// This number, but unknown where its value is one for which the format's errors are not
-    /// known. Costs nothing for `f32` and `f64`.
+    /// This number, but unknown where its value, or its bound, is one for which the format's errors
+    /// are not known. Costs nothing for `f32` and `f64`.
     #[inline(always)]
     fn within_limits(self) -> Self {
         let Some([least, most]) = B::Scalar::LIMITS else {
@@ -33,7 +33,8 @@ impl<B: Real<Scalar: Rounded>, P: Proof> Bounded<B, P> {
         };
         let magnitude = self.value.abs();
         let [zero, least, most] = [0.0, least, most].map(|x| magnitude.constant(x));
-        self.only_where((magnitude.ge(least) | magnitude.le(zero)) & magnitude.le(most))
+        let large_enough = magnitude.ge(least) | magnitude.le(zero);
+        self.only_where(large_enough & magnitude.le(most) & self.error.le(most))
     }
 
     /// What the product with another number adds to the bound of a sum of products, of which it
