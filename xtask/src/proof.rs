@@ -1,33 +1,39 @@
 //! What tables say of a proven picture.
 
 use crate::table::grouped;
-use ombrage::{Proven, Rung};
-use serde::Serialize;
+use ombrage::{Proven, Rung, Undecided};
+use serde::{Deserialize, Serialize};
 
 /// Pixels by what proved them, and those that nothing did.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Proof {
-    rungs: Rungs,
+    /// Pixels by the rung that proved them.
+    pub rungs: Rungs,
     /// How many pixels are not proven.
-    undecided: usize,
+    pub undecided: usize,
     /// Where they are, and why.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     undecided_pixels: Vec<Place>,
 }
 
-#[derive(Clone, Copy, Debug, Serialize)]
-struct Rungs {
-    f32: usize,
-    f64: usize,
-    double_double: usize,
-    exact: usize,
+/// How many pixels each rung proved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Rungs {
+    /// Single precision.
+    pub f32: usize,
+    /// Double precision.
+    pub f64: usize,
+    /// Double-double.
+    pub double_double: usize,
+    /// Exact arithmetic.
+    pub exact: usize,
 }
 
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 struct Place {
     column: u32,
     row: u32,
-    reason: &'static str,
+    reason: String,
 }
 
 impl Proof {
@@ -36,14 +42,10 @@ impl Proof {
 
     /// The proof of a picture.
     pub fn of(proven: &Proven) -> Self {
-        let place = |&ombrage::Undecided {
-                         column,
-                         row,
-                         reason,
-                     }: &_| Place {
-            column,
-            row,
-            reason,
+        let place = |pixel: &Undecided| Place {
+            column: pixel.column,
+            row: pixel.row,
+            reason: pixel.reason.into(),
         };
         Self {
             rungs: Rungs {

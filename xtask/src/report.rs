@@ -8,6 +8,7 @@ pub mod height;
 pub mod measure;
 pub mod page;
 mod plot;
+pub mod proofs;
 mod readme;
 mod run;
 mod stages;

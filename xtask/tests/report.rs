@@ -12,7 +12,7 @@ use xtask::figures;
 use xtask::precision::measure::{errors, families};
 use xtask::report::data::{Data, VERSION};
 use xtask::report::page::{Pictures, page};
-use xtask::report::{height, measure};
+use xtask::report::{height, measure, proofs};
 use xtask::shadows;
 
 fn root() -> PathBuf {
@@ -57,6 +57,11 @@ fn a_sample_of_the_numbers_is_what_is_measured_again() {
     assert!(again.len() >= 48, "{} rows", again.len());
     for row in again {
         assert!(data.shadows.contains(&row), "{row:?}");
+    }
+    let again = proofs::measure(&cases).expect("scenes");
+    assert_eq!(again.len(), 6, "four figures and two scenes");
+    for row in again {
+        assert!(data.proofs.contains(&row), "{row:?}");
     }
     assert_eq!(data.errors, errors().expect("the vectors"));
     assert_eq!(data.families, families().expect("the vectors"));

@@ -2,6 +2,7 @@
 
 use super::clauses::Clause;
 use super::height::Height;
+use super::proofs;
 use super::run::Run;
 use crate::bench::Bench;
 use crate::compare::{self, moved};
@@ -13,7 +14,7 @@ use std::fs;
 use std::path::Path;
 
 /// The version of the format. Data of another version is not read.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// The results of all experiments.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -36,6 +37,8 @@ pub struct Data {
     pub compare: Vec<compare::Row>,
     /// The lab's scene, moved away from the origin.
     pub moved: Vec<moved::Row>,
+    /// What proves the pixels of figures and scenes.
+    pub proofs: Vec<proofs::Row>,
     /// Allowed and measured errors of the kernels.
     pub errors: Vec<Errors>,
     /// The same, family by family.

@@ -3,6 +3,7 @@
 use super::clauses;
 use super::data::{Data, Figure, Known, Quantise, VERSION};
 use super::height;
+use super::proofs;
 use super::run::Run;
 use super::stages::Stages;
 use crate::bench::{self, Plan};
@@ -66,12 +67,13 @@ pub fn all(root: &Path, quick: bool, drawn: &[Drawn]) -> Result<Data> {
         bar.set_length(pictures.len() as u64);
         compare::measure(&pictures, bar)
     })?;
-    let (moved, heights, kernels) = stages.run("kernels", of_rest, |_| {
+    let (proofs, moved, heights, kernels) = stages.run("proofs and kernels", of_rest, |_| {
+        let proofs = proofs::measure(&scenes)?;
         let moved = moved::measure()?;
         let heights = height::measure()?;
         let errors = measure::errors().map_err(Error::new)?;
         let families = measure::families().map_err(Error::new)?;
-        Ok::<_, Error>((moved, heights, (errors, families, measure::costs())))
+        Ok::<_, Error>((proofs, moved, heights, (errors, families, measure::costs())))
     })?;
     stages.finish();
     let (errors, families, costs) = kernels;
@@ -86,6 +88,7 @@ pub fn all(root: &Path, quick: bool, drawn: &[Drawn]) -> Result<Data> {
         heights,
         compare,
         moved,
+        proofs,
         errors,
         families,
         costs,

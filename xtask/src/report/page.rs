@@ -11,6 +11,7 @@ mod details;
 mod diagram;
 mod method;
 mod picture;
+mod proof;
 mod words;
 
 pub use picture::Pictures;
@@ -30,12 +31,13 @@ const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inlin
 /// The questions, in the order of a newcomer: the anchor, what the menu says, and the answer.
 type Section = (&'static str, &'static str, fn(&Data, &Pictures) -> Markup);
 
-const SECTIONS: [Section; 6] = [
+const SECTIONS: [Section; 7] = [
     ("what", "What is this?", answers::what),
     ("acne", "What is acne?", answers::acne),
     ("cure", "Which cure should I use?", answers::cure),
     ("cost", "What does it cost?", cost::cost),
     ("trust", "Can I trust f32?", cost::trust),
+    ("proof", "Who judges the judge?", proof::proof),
     ("details", "Details", details::all),
 ];
 

@@ -50,6 +50,26 @@ impl Pictures {
             .map_or(html! {}, |drawn| image(&drawn.picture, alt))
     }
 
+    /// A figure with marks on some of its pixels: column, row, kind, and what the mark says.
+    pub fn marked(&self, name: &str, alt: &str, marks: &[([u32; 2], &str, String)]) -> Markup {
+        let Some(drawn) = self.0.iter().find(|drawn| drawn.figure.name == name) else {
+            return html! {};
+        };
+        let size = drawn.picture.size();
+        let (width, height) = (size.width(), size.height());
+        html! {
+            svg.marked viewBox={ "0 0 " (width) " " (height) } role="img" aria-label=(alt) {
+                image href=(source(&drawn.picture)) width=(width) height=(height) {}
+                @for ([column, row], kind, says) in marks {
+                    g class=(kind) {
+                        title { (says) }
+                        circle cx={ (column) ".5" } cy={ (row) ".5" } r="4" {}
+                    }
+                }
+            }
+        }
+    }
+
     /// A figure with its notes.
     pub fn annotated(&self, name: &str, alt: &str) -> Markup {
         let drawn = self.0.iter().find(|drawn| drawn.figure.name == name);
@@ -80,10 +100,13 @@ impl Pictures {
 /// A picture inside the page.
 fn image(picture: &Picture, alt: &str) -> Markup {
     let size = picture.size();
-    let source = format!("data:image/png;base64,{}", STANDARD.encode(encode(picture)));
     html! {
-        img src=(source) alt=(alt) width=(size.width()) height=(size.height());
+        img src=(source(picture)) alt=(alt) width=(size.width()) height=(size.height());
     }
+}
+
+fn source(picture: &Picture) -> String {
+    format!("data:image/png;base64,{}", STANDARD.encode(encode(picture)))
 }
 
 /// As small as PNG makes it.
