@@ -1,6 +1,7 @@
 //! `cargo xtask kernels`: the kit's kernels as a program that speaks the kernel protocol.
 
 use crate::error::{Error, Result};
+use crate::lines::read_line;
 use ombrage::conformance::{Kernels, answer};
 use ombrage::{Quality, Shadow};
 use serde_json::{Value, json};
@@ -68,7 +69,7 @@ fn serve(kernels: &Kernels, mut input: impl BufRead, mut output: impl Write) -> 
     let mut all = true;
     let mut line = vec![];
     for number in 1u64.. {
-        let Some(length) = read_line(&mut input, &mut line)? else {
+        let Some(length) = read_line(&mut input, &mut line, LONGEST, usize::MAX)? else {
             break;
         };
         let answer = reply(kernels, &line, length).unwrap_or_else(|error| {
@@ -89,33 +90,6 @@ fn reply(kernels: &Kernels, line: &[u8], length: usize) -> std::result::Result<V
     let request: Value =
         serde_json::from_str(text).map_err(|error| format!("the line is not JSON: {error}"))?;
     answer(kernels, &request)
-}
-
-/// Reads to the end of the line and returns its length; `None` at the end of the input. Of a line
-/// that is too long only the start is kept.
-fn read_line(input: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<Option<usize>> {
-    line.clear();
-    let mut length = 0;
-    loop {
-        let buffer = match input.fill_buf() {
-            Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-            buffer => buffer?,
-        };
-        if buffer.is_empty() {
-            return Ok((length > 0).then_some(length));
-        }
-        let end = buffer.iter().position(|&byte| byte == b'\n');
-        let part = &buffer[..end.unwrap_or(buffer.len())];
-        length += part.len();
-        if length <= LONGEST {
-            line.extend_from_slice(part);
-        }
-        let read = part.len() + usize::from(end.is_some());
-        input.consume(read);
-        if end.is_some() {
-            return Ok(Some(length));
-        }
-    }
 }
 
 #[cfg(test)]

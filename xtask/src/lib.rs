@@ -12,6 +12,7 @@ pub mod error;
 pub mod explain;
 pub mod figures;
 pub mod kernels;
+pub mod lines;
 pub mod output;
 pub mod parallel;
 pub mod picture_file;

@@ -2,8 +2,9 @@
 //! leaves unread, this side neither waits for ever nor keeps more than a few megabytes.
 
 use crate::error::{Error, Result};
+use crate::lines::read_line;
 use std::ffi::OsString;
-use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
+use std::io::{BufReader, ErrorKind, Read, Write};
 use std::process::{self, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, MutexGuard, Once, PoisonError};
@@ -137,37 +138,15 @@ fn cannot_run(name: &OsString, error: &std::io::Error) -> Error {
 fn read_lines(stdout: impl Read, sender: &SyncSender<Printed>) {
     let mut stdout = BufReader::new(stdout);
     let mut line = vec![];
-    let mut length = 0;
-    loop {
-        let buffer = match stdout.fill_buf() {
-            Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-            Ok(buffer) if !buffer.is_empty() => buffer,
-            _ => break,
+    while let Ok(Some(length)) = read_line(&mut stdout, &mut line, LONGEST, ENDLESS) {
+        let printed = match length {
+            ..=LONGEST => Printed::Line(std::mem::take(&mut line), Instant::now()),
+            ..=ENDLESS => Printed::LongLine,
+            _ => Printed::Endless,
         };
-        let end = buffer.iter().position(|&byte| byte == b'\n');
-        let part = &buffer[..end.unwrap_or(buffer.len())];
-        length += part.len();
-        if length <= LONGEST {
-            line.extend_from_slice(part);
-        }
-        let read = part.len() + usize::from(end.is_some());
-        stdout.consume(read);
-        let printed = match end {
-            Some(_) if length > LONGEST => Printed::LongLine,
-            Some(_) => Printed::Line(std::mem::take(&mut line), Instant::now()),
-            None if length > ENDLESS => Printed::Endless,
-            None => continue,
-        };
-        let endless = matches!(printed, Printed::Endless);
-        if sender.send(printed).is_err() || endless {
+        if sender.send(printed).is_err() || length > ENDLESS {
             return;
         }
-        line.clear();
-        length = 0;
-    }
-    if length > 0 && length <= LONGEST {
-        // The last line need not end; and who no longer listens need not hear.
-        let _ = sender.send(Printed::Line(line, Instant::now()));
     }
 }
 
