@@ -37,7 +37,7 @@ const SECTIONS: [Section; 7] = [
     ("cure", "Which cure should I use?", answers::cure),
     ("cost", "What does it cost?", cost::cost),
     ("trust", "Can I trust f32?", cost::trust),
-    ("proof", "Who judges the judge?", proof::proof),
+    ("proof", "How is truth known?", proof::proof),
     ("details", "Details", details::all),
 ];
 

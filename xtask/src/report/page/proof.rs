@@ -17,16 +17,16 @@ pub fn proof(data: &Data, pictures: &Pictures) -> Markup {
     let last = data.proofs.iter().find(|row| row.picture == "figure 3c");
     html! {
         p.answer {
-            "Mathematics. Every byte of the pictures that others are measured by is proven to be the one that \
-             exact arithmetic gives: " (whole(total)) " pixels in " (data.proofs.len()) " pictures, "
+            "It is proven, byte by byte: the pictures that all others are measured by are those of exact \
+             arithmetic. " (whole(total)) " pixels in " (data.proofs.len()) " pictures, "
             (whole(open)) " of them undecided."
         }
         div.row {
             @if let Some(row) = last {
                 (figure(&map(row, pictures), &html! {
                     strong { "Figure 3(c), proven. " } "Circled: the " (whole(row.higher.len())) " pixels of "
-                    (whole(pixels(row))) " that single precision could not prove. They lie on outlines, and \
-                    where a colour is next to the border of two bytes."
+                    (whole(pixels(row))) " that single precision could not prove. Most lie where a \
+                    colour is so near the border between two bytes that its bound reaches over it."
                 }))
             }
             div {
@@ -71,7 +71,7 @@ fn pixels(row: &Row) -> usize {
 }
 
 fn map(row: &Row, pictures: &Pictures) -> Markup {
-    let alt = "Figure 3(c) in grey; circles mark the few pixels, most of them on outlines, that single \
+    let alt = "Figure 3(c) in grey; circles mark the few pixels, spread over plane and sphere, that single \
         precision could not prove.";
     let marks = row.higher.iter().map(|pixel| {
         let kind = pixel.rung.as_str();
