@@ -111,7 +111,8 @@ fn figures_are_proven() {
         assert_eq!(row["name"], name);
         has_counts(row, &proven);
         let counts = Rung::ALL.map(|rung| proven.count(rung).to_string());
-        let found = cells(&line.replace(',', ""));
+        let line = line.replace(',', "");
+        let found = cells(&line);
         assert_eq!(found[..2], [name, "61x41"]);
         assert_eq!(found[4..], counts);
         let file = directory.path().join(format!("fig{name}.png"));
