@@ -9,11 +9,11 @@ use ombrage::{DoubleDouble, Proof, Rounded};
 
 /// A proof that is not one.
 macro_rules! sabotaged {
-    ($($name:ident: $constant:ident: $type:ty = $value:expr;)*) => { $(
+    ($($name:ident: $($constant:ident: $type:ty = $value:expr),+;)*) => { $(
         #[derive(Clone, Copy, Debug)]
         pub struct $name;
         impl Proof for $name {
-            const $constant: $type = $value;
+            $(const $constant: $type = $value;)+
         }
     )* };
 }
@@ -23,6 +23,8 @@ sabotaged! {
     SmallProducts: PRODUCT: f64 = 1.0 / 16.0;
     SmallQuotients: QUOTIENT: f64 = 1.0 / 16.0;
     SmallRoots: ROOT: f64 = 1.0 / 16.0;
+    SmallBounds: SUM: f64 = 1.0 / 16.0, PRODUCT: f64 = 1.0 / 16.0, QUOTIENT: f64 = 1.0 / 16.0,
+        ROOT: f64 = 1.0 / 16.0;
     EarlyComparisons: COMPARES_VALUES: bool = true;
     EarlyChoices: CHOOSES_POSSIBLE: bool = true;
 }

@@ -194,9 +194,11 @@ impl Reference {
         })
     }
 
-    /// `floor(255 x)` of a number from 0 on, as the film has it.
+    /// `floor(255 x)` of a number from 0 on, as the film has it. What lies less than 2^-201 of itself
+    /// below the border of two bytes is on it.
     fn byte(&self, x: &Rational) -> u8 {
-        let level = Rational::from((x * number(255.0)).trunc()).to_f64().value();
+        let scaled = x * (number(255.0) + power_of_two(-193));
+        let level = Rational::from(scaled.trunc()).to_f64().value();
         match self.film {
             Film::Clamp => level.min(255.0) as u8,
             Film::Wrap => (level % 256.0) as u8,
