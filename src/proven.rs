@@ -56,7 +56,8 @@ pub struct Undecided {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proven {
     picture: Picture,
-    rungs: Vec<Rung>,
+    /// The indices of the pixels that the first rung did not prove, rising, and what did.
+    climbed: Vec<(usize, Rung)>,
     undecided: Vec<Undecided>,
 }
 
@@ -89,8 +90,12 @@ impl Proven {
     }
 
     /// What proved each pixel, row-major.
-    pub fn rungs(&self) -> &[Rung] {
-        &self.rungs
+    pub fn rungs(&self) -> Vec<Rung> {
+        let mut rungs = vec![Rung::F32; self.picture.size().pixels()];
+        for &(i, rung) in &self.climbed {
+            rungs[i] = rung;
+        }
+        rungs
     }
 
     /// The pixels that nothing proved, row-major.
@@ -100,7 +105,11 @@ impl Proven {
 
     /// How many pixels the rung proved.
     pub fn count(&self, rung: Rung) -> usize {
-        self.rungs.iter().filter(|&&r| r == rung).count()
+        let climbed = self.climbed.iter().filter(|(_, r)| *r == rung).count();
+        match rung {
+            Rung::F32 => self.picture.size().pixels() - self.climbed.len(),
+            _ => climbed,
+        }
     }
 
     /// The picture, without its proof.
@@ -165,7 +174,7 @@ impl Engine {
             let first = double.pixel(column, row).map(by(Rung::F64));
             first.or_else(|| wide.pixel(column, row).map(by(Rung::DoubleDouble)))
         };
-        let above = Mutex::new(vec![]);
+        let climbed = Mutex::new(vec![]);
         let width = size.width() as usize;
         let mut pixels = vec![];
         self.share(
@@ -190,34 +199,28 @@ impl Engine {
                     in_single_packets(self.level(), rows);
                 }
                 let start = first as usize * width;
-                let climbed = open.into_iter().map(|i| {
+                let above = open.into_iter().map(|i| {
                     let (column, row) = ((i % width) as u32, first + (i / width) as u32);
                     let (rung, bytes) = climb(column, row).unwrap_or((Rung::Undecided, [0; 3]));
                     pixels[i] = bytes;
                     (start + i, rung)
                 });
-                let climbed: Vec<_> = climbed.collect();
-                let mut above = above.lock().unwrap_or_else(PoisonError::into_inner);
-                above.extend(climbed);
+                let above: Vec<_> = above.collect();
+                let mut climbed = climbed.lock().unwrap_or_else(PoisonError::into_inner);
+                climbed.extend(above);
             },
         );
-        let above = above.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let mut rungs = vec![Rung::F32; size.pixels()];
-        let mut open = vec![];
-        for (i, rung) in above {
-            rungs[i] = rung;
-            if rung == Rung::Undecided {
-                open.push(i);
-            }
-        }
-        open.sort_unstable();
+        let mut climbed = climbed.into_inner().unwrap_or_else(PoisonError::into_inner);
+        climbed.sort_unstable_by_key(|&(i, _)| i);
         let mut undecided = vec![];
-        if !open.is_empty() {
+        let open = climbed.iter_mut();
+        let mut open = open.filter(|(_, rung)| *rung == Rung::Undecided).peekable();
+        if open.peek().is_some() {
             let exactly = Exactly::new(scene, view, size, lighting, film)?;
-            for i in open {
-                let (column, row) = ((i % width) as u32, (i / width) as u32);
+            for (i, rung) in open {
+                let (column, row) = ((*i % width) as u32, (*i / width) as u32);
                 match exactly.pixel(column, row) {
-                    Ok(bytes) => (pixels[i], rungs[i]) = (bytes, Rung::Exact),
+                    Ok(bytes) => (pixels[*i], *rung) = (bytes, Rung::Exact),
                     Err(reason) => undecided.push(Undecided {
                         column,
                         row,
@@ -228,8 +231,8 @@ impl Engine {
         }
         Ok(Proven {
             picture: Picture::from_rendering(size, pixels),
+            climbed,
             undecided,
-            rungs,
         })
     }
 }

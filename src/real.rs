@@ -140,6 +140,18 @@ pub trait Real:
         a * b - c * d
     }
 
+    /// The scalar product of two vectors, and the square of their vector product.
+    #[inline(always)]
+    fn products([a, b, c]: [Self; 3], [x, y, z]: [Self; 3]) -> (Self, Self) {
+        let vector_product = [
+            Self::difference_of_products([b, z], [c, y]),
+            Self::difference_of_products([c, x], [a, z]),
+            Self::difference_of_products([a, y], [b, x]),
+        ];
+        let square = Self::sum_of_squares(vector_product);
+        (Self::sum_of_products([a, b, c], [x, y, z]), square)
+    }
+
     /// A constant beside this number: `value` rounded to the format, in every lane.
     #[inline(always)]
     fn constant(self, value: f64) -> Self {

@@ -76,6 +76,12 @@ pub trait Vector<R: Real<Vector = Self>>:
         )
     }
 
+    /// The scalar product, and the square of the vector product.
+    #[inline(always)]
+    fn products(self, other: Self) -> (R, R) {
+        R::products(self.to_array(), other.to_array())
+    }
+
     /// The unit vector of the same direction; not finite for the zero vector.
     ///
     #[inline(always)]

@@ -18,7 +18,9 @@ mod properties {
     pub mod light;
     pub mod picture;
     pub mod plane;
+    pub mod proven;
     pub mod ray;
+    pub mod sabotage;
     pub mod scene;
     pub mod sphere;
 }
@@ -117,6 +119,8 @@ properties! {
         a_rounded_double_double_is_within_its_bound
         half_tangents_are_within_their_bounds
         choices_are_those_of_three_valued_logic
+    }
+    once, sabotage {
         bounds_too_small_are_noticed
         certainty_too_early_is_noticed
     }
@@ -135,5 +139,9 @@ properties! {
     }
     once, picture {
         pictures_are_refused_by_field_and_value
+    }
+    once, proven {
+        no_proof_contradicts_a_higher_one
+        random_scenes_find_out_a_false_proof
     }
 }

@@ -128,7 +128,8 @@ fn the_proven_picture_is_that_of_double_double() {
         let proven = render_proven(&scene, &view, size, lighting, film).expect("valid");
         let chain = Relative::<ombrage::DoubleDouble>::new(&scene, &view, size, lighting);
         let plain = render(&chain.expect("valid"), size, film);
-        let exact = |i: usize| proven.rungs()[i / 3] == Rung::Exact;
+        let rungs = proven.rungs();
+        let exact = |i: usize| rungs[i / 3] == Rung::Exact;
         let bytes = proven
             .picture()
             .bytes()

@@ -11,9 +11,10 @@
 //! The allowance δ is for the roundings of the bound itself. Every operation below computes its
 //! bound from those of its operands by sums and products of numbers that are not negative, so each
 //! rounding is one factor of at most 1 + u (u is the unit roundoff, 2^-24 in `f32`), and no
-//! operation has more than 8 on any way from an operand's bound to its own. A number at the end of
-//! n operations in a row so has δ < 9 n u: in `f32` the promise holds for 1800 operations in a row,
-//! in `f64` for 10^12. Whoever computes longer chains must not use `f32`. Where a bound is used, it
+//! operation has more than 8 on any way from an operand's bound to its own; the products of
+//! vectors, which have 13, count as two operations. A number at the end of n operations in a row so
+//! has δ < 9 n u: in `f32` the promise holds for 1800 operations in a row, in `f64` for 10^12.
+//! Whoever computes longer chains must not use `f32`. Where a bound is used, it
 //! is multiplied by [`ALLOWANCE`], which is larger than 1 + δ.
 //!
 //! # Rounding and underflow

@@ -141,14 +141,11 @@ impl<S: Constant> Occluder<S> {
         let token = square.token();
         let to_point = point - R::Vector::splat(token, &self.center);
         let to_light = R::Vector::splat(token, &self.to_light);
-        let moment = to_point.cross(to_light);
-        let near = moment
-            .square()
-            .le(R::splat(token, self.radius_squared) * square);
+        let (product, moment_squared) = to_point.products(to_light);
+        let near = moment_squared.le(R::splat(token, self.radius_squared) * square);
         if !near.any() {
             return None;
         }
-        let product = to_point.dot(to_light);
         let before = product.lt(to_point.square());
         Some(near & before & product.lt(R::splat(token, self.to_light_squared)))
     }

@@ -36,9 +36,8 @@ impl<S: Constant> Sphere<S> {
         let token = square.token();
         let zero = square.constant(0.0);
         let center = R::Vector::splat(token, &self.center);
-        let ahead = center.dot(direction);
-        let moment = center.cross(direction);
-        let discriminant = R::splat(token, self.radius_squared) * square - moment.square();
+        let (ahead, moment_squared) = center.products(direction);
+        let discriminant = R::splat(token, self.radius_squared) * square - moment_squared;
         let mut mask = discriminant.ge(zero);
         if self.camera != Ordering::Less {
             mask = mask & ahead.gt(zero);

@@ -1,8 +1,8 @@
 //! Bounded numbers: the exact result of every operation lies within its bound, whatever the
 //! magnitudes, and a proof with smaller bounds is found out.
 
-use crate::exact::{Exact, abs, exact};
-use crate::property::{Verdict, fails, for_all};
+use crate::exact::{Exact, abs, dot, exact};
+use crate::property::{Verdict, for_all};
 use dashu_ratio::RBig;
 use ombrage::{
     Bounded, Constant, DoubleDouble, Kleene, Mask, Precise, Proof, Real, Rigorous, Rounded, Scalar,
@@ -12,7 +12,7 @@ use std::fmt::Debug;
 
 /// A bounded number, and an exact one that it may stand for.
 #[derive(Clone, Debug)]
-struct Known<S> {
+pub struct Known<S> {
     value: S,
     error: S,
     truth: RBig,
@@ -96,13 +96,13 @@ fn truthful(name: &str, answer: Kleene<bool>, truth: bool) -> Verdict {
     Ok(())
 }
 
-fn sums<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+pub fn sums<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
     let (x, y) = (a.number::<P>(), b.number::<P>());
     within("a sum", x + y, || &a.truth + &b.truth)?;
     within("a difference", x - y, || &a.truth - &b.truth)
 }
 
-fn products<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+pub fn products<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
     let product = a.number::<P>() * b.number::<P>();
     within("a product", product, || &a.truth * &b.truth)
 }
@@ -117,6 +117,18 @@ fn fused<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict 
     within("a sum of squares", squares, || p * p + q * q + p * p)?;
     let difference = Real::difference_of_products([x, x], [y, y]);
     within("a difference of products", difference, || p * p - q * q)
+}
+
+/// The word that fuses products of vectors.
+pub fn fused_vectors<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+    let (x, y) = (a.number::<P>(), b.number::<P>());
+    let (p, q) = (&a.truth, &b.truth);
+    let (scalar, square) = Real::products([x, y, x], [y, y, -x]);
+    within("a scalar product", scalar, || p * q + q * q - p * p)?;
+    let vector_product = [exact(-2.0) * p * q, p * q + p * p, p * q - q * q];
+    within("the square of a vector product", square, || {
+        dot(&vector_product, &vector_product)
+    })
 }
 
 /// `1/√A` where `(v - e)² A <= 1 <= (v + e)² A`.
@@ -136,7 +148,7 @@ fn inverse_roots<S: Rounded + Exact, P: Proof>((a, _): (Known<S>, Known<S>)) -> 
     Ok(())
 }
 
-fn quotients<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+pub fn quotients<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
     let quotient = a.number::<P>() / b.number::<P>();
     if b.truth == RBig::ZERO {
         prop_assert!(!quotient.error.is_finite(), "a quotient by zero is known");
@@ -146,7 +158,7 @@ fn quotients<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verd
 }
 
 /// `(v - e)² <= A <= (v + e)²`, where v - e is not negative.
-fn roots<S: Rounded + Exact, P: Proof>((a, _): (Known<S>, Known<S>)) -> Verdict {
+pub fn roots<S: Rounded + Exact, P: Proof>((a, _): (Known<S>, Known<S>)) -> Verdict {
     let root = a.number::<P>().sqrt();
     if !finite(&[root.value, root.error]) {
         return Ok(());
@@ -185,7 +197,7 @@ fn others<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict
     Ok(())
 }
 
-fn comparisons<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+pub fn comparisons<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
     let (x, y) = (a.number::<P>(), b.number::<P>());
     truthful("a < b", x.lt(y), a.truth < b.truth)?;
     truthful("a <= b", x.le(y), a.truth <= b.truth)?;
@@ -195,14 +207,14 @@ fn comparisons<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Ve
 }
 
 /// The larger of the two, by a choice.
-fn choices<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
+pub fn choices<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>)) -> Verdict {
     let (x, y) = (a.number::<P>(), b.number::<P>());
     let larger = Bounded::select(x.lt(y), y, x);
     within("a choice", larger, || a.truth.clone().max(b.truth.clone()))
 }
 
 /// Two numbers of magnitudes that have nothing to do with each other, or nearly the same number.
-fn pairs<S: Rounded + Exact>(
+pub fn pairs<S: Rounded + Exact>(
     exponents: std::ops::Range<i32>,
 ) -> impl Strategy<Value = (Known<S>, Known<S>)> + Clone {
     let near = (
@@ -234,6 +246,7 @@ fn bounds_hold<S: Rounded + Exact>() {
             sums::<S, Rigorous>,
             products::<S, Rigorous>,
             fused::<S, Rigorous>,
+            fused_vectors::<S, Rigorous>,
             inverse_roots::<S, Rigorous>,
             quotients::<S, Rigorous>,
             roots::<S, Rigorous>,
@@ -411,55 +424,4 @@ pub fn choices_are_those_of_three_valued_logic() {
         assert_eq!(chosen.error == 0.0, a.decided());
         assert!(!a.decided() || chosen.value == if a.certain { 1.0 } else { 2.0 });
     }
-}
-
-/// A proof that is not one.
-macro_rules! sabotaged {
-    ($($name:ident: $constant:ident: $type:ty = $value:expr;)*) => { $(
-        #[derive(Clone, Copy, Debug)]
-        struct $name;
-        impl Proof for $name {
-            const $constant: $type = $value;
-        }
-    )* };
-}
-
-sabotaged! {
-    SmallSums: SUM: f64 = 1.0 / 16.0;
-    SmallProducts: PRODUCT: f64 = 1.0 / 16.0;
-    SmallQuotients: QUOTIENT: f64 = 1.0 / 16.0;
-    SmallRoots: ROOT: f64 = 1.0 / 16.0;
-    EarlyComparisons: COMPARES_VALUES: bool = true;
-    EarlyChoices: CHOOSES_POSSIBLE: bool = true;
-}
-
-pub fn bounds_too_small_are_noticed() {
-    fn check<S: Rounded + Exact>() {
-        let pairs = || pairs::<S>(-12..12);
-        assert!(fails(pairs(), sums::<S, SmallSums>), "sums in {}", S::NAME);
-        assert!(
-            fails(pairs(), products::<S, SmallProducts>),
-            "products in {}",
-            S::NAME
-        );
-        assert!(
-            fails(pairs(), quotients::<S, SmallQuotients>),
-            "quotients in {}",
-            S::NAME
-        );
-        assert!(
-            fails(pairs(), roots::<S, SmallRoots>),
-            "roots in {}",
-            S::NAME
-        );
-    }
-    check::<f32>();
-    check::<f64>();
-    check::<DoubleDouble>();
-}
-
-pub fn certainty_too_early_is_noticed() {
-    let pairs = || pairs::<f64>(-12..12);
-    assert!(fails(pairs(), comparisons::<f64, EarlyComparisons>));
-    assert!(fails(pairs(), choices::<f64, EarlyChoices>));
 }

@@ -19,10 +19,11 @@ use subject::Way;
 
 /// Compare f32 with f64 with the truth, on every figure and scene
 ///
-/// The truth is the picture in double-double, its flips judged by a second method. The scene is
-/// taken as the file gives it, so what f32 loses when it reads the scene counts too. Each picture
-/// is computed in two ways: lab, the lab's chain with textbook kernels (a figure as it is defined,
-/// a scene with the offset by units in the last place), and relative, the kit's default.
+/// The truth is the proven picture for bytes (docs/proven.md), and double-double for the radiance;
+/// flips are judged by a second method. The scene is taken as the file gives it, so what f32 loses
+/// when it reads the scene counts too. Each picture is computed in two ways: lab, the lab's chain
+/// with textbook kernels (a figure as it is defined, a scene with the offset by units in the last
+/// place), and relative, the kit's default.
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:

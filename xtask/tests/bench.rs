@@ -63,6 +63,27 @@ fn every_size_is_measured_against_the_labs_way() {
     }
 }
 
+/// A proof takes all the formats it needs, so it runs once, and its picture is the truth.
+#[test]
+fn a_proof_is_measured_against_the_plain_picture() {
+    let proofs = |width| {
+        let rows = BENCH.rows.iter().filter(move |row| row.width == width);
+        rows.filter(|row| row.chain == "proven")
+    };
+    for width in [90, 61] {
+        let levels = proofs(width).map(|row| (&*row.level, row.threads));
+        let mut expected: Vec<_> = Level::available().map(|level| (level.name(), 1)).collect();
+        expected.push((Level::best().name(), 2));
+        assert_eq!(levels.collect::<Vec<_>>(), expected);
+        for row in proofs(width) {
+            assert_eq!((&*row.float, row.wrong_bytes), ("f32", 0), "{row:?}");
+            assert!(row.ratio_to_plain > Some(0.0), "{row:?}");
+        }
+    }
+    let others = BENCH.rows.iter().filter(|row| row.chain != "proven");
+    assert!(others.into_iter().all(|row| row.ratio_to_plain.is_none()));
+}
+
 /// The strategies differ in what they get wrong, and the times in the table know it.
 #[test]
 fn wrong_bytes_stand_beside_every_time() {

@@ -1,240 +1,211 @@
-//! Proven pictures of every scene, against a reference of more than 300 bits by another
-//! formulation: the oracle's, with rays, hit points and shadow segments in the world.
+//! Proven pictures of the figures and of every scene, against a reference of 256 bits by another
+//! formulation.
 //!
-//! `OMBRAGE_REFERENCE_PIXELS` sets how many random pixels of each scene are judged (6).
+//! `OMBRAGE_REFERENCE_PIXELS` sets how many random pixels of each picture are judged: 6 of small
+//! ones if it is not set, `all` for every pixel, which is meant for the figures.
+//! `OMBRAGE_REFERENCE_SCENES` names the scenes, separated by commas, where it is not to be all.
 
-use ombrage::{Film, Lighting, Rung, Scene, render_proven};
-use ombrage_oracle::exact::{power_of_two, rational, vector};
-use ombrage_oracle::light::Light;
-use ombrage_oracle::shade::{Item, shade};
-use ombrage_oracle::{Format, Object, Plane, Rational, Ray, Sphere};
+#[path = "proven/reference.rs"]
+mod reference;
+
+use ombrage::{FIGURES, Figure, Film, Lighting, Proven, Rung, Size, lab, render_proven};
+use reference::Reference;
 use xtask::case::{self, Case};
+use xtask::error::Error;
+use xtask::parallel;
 
-type Vector = [Rational; 3];
-
-/// The number to 400 bits after the point.
-fn rounded(x: &Rational) -> Rational {
-    let unit = power_of_two(400);
-    Rational::from((x * &unit).trunc()) / unit
+/// How many pixels are judged.
+#[derive(Clone, Copy)]
+enum Samples {
+    /// A few random ones of small pictures.
+    Few,
+    /// So many random ones.
+    Random(usize),
+    All,
 }
 
-fn number(x: f64) -> Rational {
-    rational(x).expect("finite")
+/// What was judged.
+#[derive(Default)]
+struct Judged {
+    pixels: usize,
+    /// Neither black nor of the background.
+    lit: usize,
+    /// What only exact arithmetic decides, and otherwise than the reference, whose camera is rounded.
+    ties: usize,
+    wrong: Vec<String>,
 }
 
-fn root(x: &Rational) -> Rational {
-    let first = number(x.to_f64().value().sqrt());
-    (0..4).fold(first, |y, _| rounded(&((&y + x / &y) / number(2.0))))
-}
-
-/// The sum of `first`, and terms of which each is the one before times a factor.
-fn series(first: Rational, factor: impl Fn(f64) -> Rational) -> Rational {
-    let (mut sum, mut term) = (first.clone(), first);
-    for n in 1..400 {
-        term = rounded(&(term * factor(f64::from(n))));
-        sum += &term;
+fn samples() -> Samples {
+    match std::env::var("OMBRAGE_REFERENCE_PIXELS").as_deref() {
+        Err(_) => Samples::Few,
+        Ok("all") => Samples::All,
+        Ok(text) => Samples::Random(
+            text.parse()
+                .expect("OMBRAGE_REFERENCE_PIXELS: a number or all"),
+        ),
     }
-    sum
 }
 
-/// π by Machin's formula.
-fn pi() -> Rational {
-    let arctangent = |n: f64| {
-        let step = |k: f64| number(1.0 - 2.0 * k) / (number(2.0 * k + 1.0) * number(n * n));
-        series(number(1.0) / number(n), step)
+/// The indices of the pixels to judge, the same in every run.
+fn places(size: Size) -> Vec<usize> {
+    let count = match samples() {
+        Samples::All => return (0..size.pixels()).collect(),
+        Samples::Few => 6,
+        Samples::Random(count) => count,
     };
-    number(16.0) * arctangent(5.0) - number(4.0) * arctangent(239.0)
+    // Marsaglia, "Xorshift RNGs", Journal of Statistical Software 8 (2003).
+    let mut random = 0x9e37_79b9_7f4a_7c15_u64;
+    let places = (0..count).map(|_| {
+        random ^= random << 13;
+        random ^= random >> 7;
+        random ^= random << 17;
+        (random >> 33) as usize % size.pixels()
+    });
+    places.collect()
 }
 
-fn half_tangent(degrees: f64) -> Rational {
-    let angle = rounded(&(number(degrees) * pi() / number(360.0)));
-    let square = &angle * &angle;
-    let over = |n: f64| -(&square / number(n));
-    let sine = series(angle.clone(), |n| over(2.0 * n * (2.0 * n + 1.0)));
-    let cosine = series(number(1.0), |n| over(2.0 * n * (2.0 * n - 1.0)));
-    rounded(&(sine / cosine))
-}
-
-fn combine(a: &Vector, x: &Rational, b: &Vector) -> Vector {
-    std::array::from_fn(|i| rounded(&(&a[i] + x * &b[i])))
-}
-
-fn cross(a: &Vector, b: &Vector) -> Vector {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| &a[i] * &b[j] - &a[j] * &b[i])
-}
-
-fn unit(v: &Vector) -> Vector {
-    let length = root(&v.iter().fold(number(0.0), |sum, x| sum + x * x));
-    v.each_ref().map(|x| rounded(&(x / &length)))
-}
-
-/// A camera, and the scene as the oracle takes it.
-struct Reference {
-    origin: Vector,
-    forward: Vector,
-    right: Vector,
-    up: Vector,
-    items: Vec<Item>,
-    lights: Vec<Light>,
-}
-
-impl Reference {
-    fn new(case: &Case) -> Self {
-        let exact = |v: glam::DVec3| vector(v.to_array()).expect("finite");
-        let [position, look_at, up] =
-            [case.view.position, case.view.look_at, case.view.up].map(exact);
-        let backward = unit(&combine(&position, &number(-1.0), &look_at));
-        let right = unit(&cross(&up, &backward));
-        let tangent = half_tangent(case.view.fov);
-        let [width, height] = [case.size.width(), case.size.height()].map(|n| number(f64::from(n)));
-        let scaled = |v: Vector, x: &Rational| v.map(|c| rounded(&(c * x)));
-        Self {
-            up: scaled(cross(&backward, &right), &tangent),
-            right: scaled(right, &(&tangent * width / height)),
-            forward: backward.map(|x| -x),
-            origin: position,
-            items: items(&case.scene),
-            lights: lights(&case.scene),
-        }
-    }
-
-    /// The bytes of a pixel; `None` where the sum of several lights is too near to the border of
-    /// two.
-    fn pixel(&self, case: &Case, column: u32, row: u32) -> Option<[u8; 3]> {
-        let place = |i: u32, n: u32| match n {
-            1 => number(0.0),
-            _ => number(2.0 * f64::from(i)) / number(f64::from(n - 1)) - number(1.0),
-        };
-        let across = place(column, case.size.width());
-        let down = -place(row, case.size.height());
-        let through = combine(&self.forward, &across, &self.right);
-        let t_max = case.scene.t_max();
-        let ray = Ray {
-            origin: self.origin.clone(),
-            direction: unit(&combine(&through, &down, &self.up)),
-            tmin: number(0.0),
-            tmax: t_max.is_finite().then(|| number(t_max)),
-        };
-        let of = |light| shade(Some(&ray), &self.items, light, &number(0.0));
-        if of(None).hit.is_none() {
-            let background = case.scene.background().to_array();
-            return Some(background.map(|x| byte(&number(x))));
-        }
-        match &self.lights[..] {
-            [] => Some([0; 3]),
-            [light] => Some(of(Some(light)).bytes()),
-            lights => {
-                let truths: Vec<_> = lights.iter().map(|light| of(Some(light))).collect();
-                let [r, g, b] = [0, 1, 2].map(|i: usize| {
-                    let radiance: f64 = truths.iter().map(|t| t.li[i].round(Format::F64)).sum();
-                    let scaled = 255.0 * radiance;
-                    let clear = (scaled - scaled.round()).abs() > 1e-9 || scaled == 0.0;
-                    clear.then_some(scaled as u8)
-                });
-                Some([r?, g?, b?])
+fn judge(proven: &Proven, reference: &Reference, places: &[usize]) -> Judged {
+    let (width, rungs) = (proven.picture().size().width() as usize, proven.rungs());
+    let judge = |places: &&[usize]| -> Result<Judged, Error> {
+        let mut judged = Judged::default();
+        for &place in *places {
+            let (column, row) = ((place % width) as u32, (place / width) as u32);
+            let found = proven.picture().pixel(column, row);
+            let expected = reference.pixel(column, row);
+            let is_tie = rungs[place] == Rung::Exact && found != expected;
+            let Some(expected) = expected.filter(|_| !is_tie) else {
+                judged.ties += 1;
+                continue;
+            };
+            judged.pixels += 1;
+            judged.lit += usize::from(expected != [0; 3] && expected != [127; 3]);
+            if found != Some(expected) {
+                let what = format!("column {column}, row {row}: {found:?}, not {expected:?}");
+                judged.wrong.push(what);
             }
         }
+        Ok(judged)
+    };
+    let parts: Vec<&[usize]> = places.chunks(256).collect();
+    let parts = parallel::map(&parts, judge).expect("nothing fails");
+    parts.into_iter().fold(Judged::default(), |mut sum, part| {
+        sum.pixels += part.pixels;
+        sum.lit += part.lit;
+        sum.ties += part.ties;
+        sum.wrong.extend(part.wrong);
+        sum
+    })
+}
+
+/// Judges a picture; none of its bytes may be wrong.
+fn check(case: &Case, lighting: Lighting, film: Film) -> Judged {
+    let proven = render_proven(&case.scene, &case.view, case.size, lighting, film).expect("valid");
+    assert_eq!(proven.undecided(), [], "{}", case.name);
+    let judged = judge(
+        &proven,
+        &Reference::new(case, lighting, film),
+        &places(case.size),
+    );
+    let Judged {
+        pixels,
+        lit,
+        ties,
+        wrong,
+    } = &judged;
+    println!(
+        "{}: {pixels} pixels, {lit} lit, {ties} ties, {} wrong",
+        case.name,
+        wrong.len()
+    );
+    assert_eq!(wrong, &Vec::<String>::new(), "{}", case.name);
+    judged
+}
+
+fn figure(name: &str) {
+    let figure = Figure::named(name).expect("a figure");
+    let case = Case {
+        name: format!("figure {name}"),
+        scene: lab::scene().expect("valid"),
+        view: lab::view(),
+        size: Size::LAB,
+    };
+    let lighting = figure
+        .lighting()
+        .expect("a figure without errors of rounding");
+    let judged = check(&case, lighting, figure.film);
+    assert!(judged.pixels > 0 && judged.ties == 0);
+}
+
+#[test]
+fn pixels_of_figure_1_are_those_of_the_reference() {
+    figure("1");
+}
+
+#[test]
+fn pixels_of_figure_2a_are_those_of_the_reference() {
+    figure("2a");
+}
+
+#[test]
+fn pixels_of_figure_2b_are_those_of_the_reference() {
+    figure("2b");
+}
+
+#[test]
+fn pixels_of_figure_3c_are_those_of_the_reference() {
+    figure("3c");
+}
+
+#[test]
+fn every_figure_without_errors_of_rounding_has_its_test() {
+    let named = FIGURES.iter().filter(|figure| figure.lighting().is_some());
+    let named: Vec<_> = named.map(|figure| figure.name).collect();
+    assert_eq!(named, ["1", "2a", "2b", "3c"]);
+}
+
+/// The case, or a small picture of it where few pixels are judged.
+fn sized(case: &Case, width: u32) -> Case {
+    match samples() {
+        Samples::Few => case.at_most(width).expect("valid"),
+        _ => case.clone(),
     }
-}
-
-/// `floor(255 x)` of a number from 0 on, at most 255.
-fn byte(x: &Rational) -> u8 {
-    let level = Rational::from((x * number(255.0)).trunc());
-    level.to_f64().value().min(255.0) as u8
-}
-
-fn items(scene: &Scene<f64>) -> Vec<Item> {
-    let spheres = scene.spheres().iter().map(|sphere| Item {
-        object: Sphere::new(sphere.shape.center().to_array(), sphere.shape.radius())
-            .map(Object::Sphere),
-        color: vector(sphere.color().to_array()),
-    });
-    let planes = scene.planes().iter().map(|plane| Item {
-        object: Plane::new(
-            plane.shape.point().to_array(),
-            plane.shape.normal().to_array(),
-        )
-        .map(Object::Plane),
-        color: vector(plane.color().to_array()),
-    });
-    spheres.chain(planes).collect()
-}
-
-fn lights(scene: &Scene<f64>) -> Vec<Light> {
-    let lights = scene.lights().iter();
-    let lights = lights.filter_map(|light| {
-        Light::new(
-            light.position().to_array(),
-            light.power(),
-            light.color().to_array(),
-        )
-    });
-    lights.collect()
-}
-
-fn samples() -> usize {
-    let wanted = std::env::var("OMBRAGE_REFERENCE_PIXELS").ok();
-    wanted.and_then(|text| text.parse().ok()).unwrap_or(6)
 }
 
 #[test]
 fn pixels_of_every_scene_are_those_of_the_reference() {
-    let mut random = 0x9e37_79b9_7f4a_7c15_u64;
-    let mut below = |bound: u32| {
-        random ^= random << 13;
-        random ^= random >> 7;
-        random ^= random << 17;
-        (random >> 33) as u32 % bound
-    };
-    let (mut judged, mut lit) = (0, 0);
-    for case in case::load(&[]).expect("scenes") {
-        let case = if samples() > 100 {
-            case
-        } else {
-            case.at_most(60).expect("valid")
-        };
-        let (scene, size) = (&case.scene, case.size);
-        let (lighting, film) = (Lighting::Shadowed, Film::Clamp);
-        let proven = render_proven(scene, &case.view, size, lighting, film).expect("valid");
-        assert_eq!(proven.undecided(), [], "{}", case.name);
-        let reference = Reference::new(&case);
-        for _ in 0..samples() {
-            let (column, row) = (below(size.width()), below(size.height()));
-            let Some(expected) = reference.pixel(&case, column, row) else {
-                continue;
-            };
-            let found = proven.picture().pixel(column, row);
-            assert_eq!(found, Some(expected), "{}: {column}, {row}", case.name);
-            judged += 1;
-            lit += usize::from(expected.iter().any(|&byte| byte != 0 && byte != 127));
-        }
+    let names = std::env::var("OMBRAGE_REFERENCE_SCENES").unwrap_or_default();
+    let names = names.split(',').filter(|name| !name.is_empty());
+    let names: Vec<String> = names.map(str::to_owned).collect();
+    let cases = case::load(&names).expect("scenes");
+    let mut sum = Judged::default();
+    for case in &cases {
+        let judged = check(&sized(case, 60), Lighting::Shadowed, Film::Clamp);
+        sum.pixels += judged.pixels;
+        sum.lit += judged.lit;
     }
-    println!("{judged} pixels judged, {lit} of them lit");
-    assert!(judged > 5 * 30 && lit > 30, "{judged} judged, {lit} lit");
+    let (pixels, lit) = (sum.pixels, sum.lit);
+    println!("all scenes: {pixels} pixels, {lit} lit");
+    assert!(pixels > 5 * cases.len(), "{pixels} judged");
+    assert!(lit > 30 || !names.is_empty(), "{lit} lit");
 }
 
 /// The pixels that f32 cannot prove are the ones that are easy to get wrong.
 #[test]
 fn what_was_hard_to_prove_is_right() {
     for name in ["base", "base_moved_1e7", "three_lights"] {
-        let case = &case::load(&[name.into()]).expect("a scene")[0];
-        let case = if samples() > 100 {
-            case.clone()
-        } else {
-            case.at_most(150).expect("valid")
-        };
+        let case = sized(&case::load(&[name.into()]).expect("a scene")[0], 150);
         let (lighting, film) = (Lighting::Shadowed, Film::Clamp);
         let proven = render_proven(&case.scene, &case.view, case.size, lighting, film);
         let proven = proven.expect("valid");
-        let reference = Reference::new(&case);
-        let width = case.size.width() as usize;
-        let hard = (0..proven.rungs().len()).filter(|&i| proven.rungs()[i] != Rung::F32);
-        for i in hard.take(10 * samples()) {
-            let (column, row) = ((i % width) as u32, (i / width) as u32);
-            if let Some(expected) = reference.pixel(&case, column, row) {
-                let found = proven.picture().pixel(column, row);
-                assert_eq!(found, Some(expected), "{name}: {column}, {row}");
-            }
-        }
+        let rungs = proven.rungs();
+        let hard = (0..rungs.len()).filter(|&i| rungs[i] != Rung::F32);
+        let hard: Vec<usize> = match samples() {
+            Samples::Few => hard.take(60).collect(),
+            _ => hard.collect(),
+        };
+        let judged = judge(&proven, &Reference::new(&case, lighting, film), &hard);
+        assert_eq!(judged.wrong, Vec::<String>::new(), "{name}");
+        assert!(judged.pixels > 0, "{name}");
+        println!("{name}: {} hard pixels", judged.pixels);
     }
 }

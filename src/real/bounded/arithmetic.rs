@@ -23,6 +23,12 @@ fn times<B: Real>(error: B, factor: f64) -> B {
     }
 }
 
+/// The sum of the magnitudes.
+#[inline(always)]
+fn size<B: Real>([x, y, z]: [B; 3]) -> B {
+    x.abs() + y.abs() + z.abs()
+}
+
 impl<B: Real<Scalar: Rounded>, P: Proof> Bounded<B, P> {
     /// This number, but unknown where its value, or its bound, is one for which the format's errors
     /// are not known. Costs nothing for `f32` and `f64`.
@@ -365,6 +371,46 @@ impl<B: Real<Scalar: Rounded>, P: Proof> Real for Bounded<B, P> {
         let error = a.share(b, 1.0) + c.share(d, 1.0);
         let eta = value.constant(B::Scalar::ETA);
         Self::new(value, times(error + eta, P::PRODUCT))
+    }
+
+    /// With |a| for the sum of the magnitudes and e for that of the bounds of a vector, and
+    ///
+    /// ```text
+    /// d = |a| e_b + (|b| + 2 e_b) e_a + 1.01 (p + 2 s) |a| |b| + η,
+    /// ```
+    ///
+    /// the scalar product is off by d at most. So are the three components of the vector product m
+    /// together: every product of components of a and b is in one of the two. As
+    /// `M² - m² = (M - m) · (M + m)`, the square is off by `d (2 |m| + d)`, where `2 d (|m| + d)` covers
+    /// the allowance, and by its own roundings.
+    #[inline(always)]
+    fn products(a: [Self; 3], b: [Self; 3]) -> (Self, Self) {
+        let [[x, y, z], [u, v, w]] = [a, b];
+        if B::Scalar::LIMITS.is_some() {
+            let m = [y * w - z * v, z * u - x * w, x * v - y * u];
+            return (Self::sum_of_products(a, b), Self::sum_of_squares(m));
+        }
+        let m = [
+            B::difference_of_products([y.value, w.value], [z.value, v.value]),
+            B::difference_of_products([z.value, u.value], [x.value, w.value]),
+            B::difference_of_products([x.value, v.value], [y.value, u.value]),
+        ];
+        let square = B::sum_of_squares(m);
+        let scalar = B::sum_of_products([x.value, y.value, z.value], [u.value, v.value, w.value]);
+        let eta = square.constant(B::Scalar::ETA);
+        let rounding = B::Scalar::PRODUCT + 2.0 * B::Scalar::SUM;
+        let error_a = x.error + y.error + z.error;
+        let error_b = u.error + v.error + w.error;
+        let size_a = size([x.value, y.value, z.value]);
+        let size_b = size([u.value, v.value, w.value]);
+        let of_b = size_a * (error_b + (size_b * eta.constant(1.01 * rounding) + eta));
+        let error = of_b + (size_b + (error_b + error_b)) * error_a + eta;
+        let of_square = (size(m) + error) * (error + error);
+        let of_square = of_square + square * eta.constant(1.02 * rounding) + eta;
+        (
+            Self::new(scalar, times(error, P::PRODUCT)),
+            Self::new(square, times(of_square, P::PRODUCT)),
+        )
     }
 
     /// As near to the exact magnitude as the value is to the exact number.

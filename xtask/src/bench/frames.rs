@@ -20,6 +20,8 @@ pub enum Chain {
     Hierarchy,
     /// The kit's default.
     Relative,
+    /// The same, every byte proven.
+    Proven,
 }
 
 impl Chain {
@@ -30,6 +32,7 @@ impl Chain {
             Chain::Lab => "lab",
             Chain::Hierarchy => "hierarchy",
             Chain::Relative => "relative",
+            Chain::Proven => "proven",
         }
     }
 
@@ -39,6 +42,7 @@ impl Chain {
             Chain::Lab => LAB,
             Chain::Hierarchy => Way::Hierarchy,
             Chain::Relative => Way::Relative,
+            Chain::Proven => Way::Proven,
         }
     }
 }

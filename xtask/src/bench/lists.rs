@@ -9,7 +9,7 @@ use ombrage::{Level, Plane, PointLight, Quality, Scene, Shadow, ShadowQuery, Siz
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The sizes at which Figure 3(c) is computed in every way; at sizes other than the first, in
-    /// both chains only.
+    /// both chains and proven only.
     pub sizes: Vec<Size>,
     /// The sizes between which the growth with pixels is measured.
     pub growing_sizes: Vec<Size>,
@@ -54,10 +54,10 @@ impl Plan {
     }
 }
 
-/// The baseline, and both chains at every level and on two threads.
+/// The baseline, and both chains and the proof at every level and on two threads.
 pub fn levels() -> Vec<Contender> {
     let mut contenders = vec![baseline()];
-    for way in [LAB, Way::Relative] {
+    for way in [LAB, Way::Relative, Way::Proven] {
         contenders.extend(Level::available().map(|level| Contender::new(way, level)));
         contenders.push(Contender::new(way, Level::best()).on_two_threads());
     }

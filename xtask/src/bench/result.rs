@@ -58,8 +58,8 @@ pub struct Row {
     pub height: u32,
     /// `f32` or `f64`.
     pub float: String,
-    /// `lab-way`: the baseline; `lab`: the lab's chain; `relative`: the kit's default;
-    /// `lab, hierarchy`: the lab's chain with a tree over the spheres.
+    /// `lab-way`: the baseline; `lab`: the lab's chain; `relative`: the kit's default; `proven`: the
+    /// same, every byte proven; `lab, hierarchy`: the lab's chain with a tree over the spheres.
     pub chain: String,
     /// How shadow rays leave their surface.
     pub shadow: String,
@@ -75,6 +75,9 @@ pub struct Row {
     pub ns_per_pixel: f64,
     /// How many times as fast as the lab's way: the median of the ratios of neighbouring times.
     pub ratio_to_lab_way: f64,
+    /// How many times as long a proof takes as the relative chain at the same level, on as many
+    /// threads: the median of the ratios of neighbouring times. `None` for what is no proof.
+    pub ratio_to_plain: Option<f64>,
     /// How many bytes differ from the true picture.
     pub wrong_bytes: usize,
     /// The share of the machine's limit that is reached, where the operations were counted.

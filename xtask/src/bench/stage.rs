@@ -4,18 +4,17 @@ use super::hierarchy::{Hierarchical, InPackets};
 use super::lab_way::Program;
 use super::result::Row;
 use super::way::{Contender, Way};
-use crate::case::Case;
+use crate::case::{self, Case};
 use crate::clock::{laps, median};
 use crate::compare::differing;
 use crate::error::Result;
 use ombrage::{
-    DirectLighting, DoubleDouble, Engine, Film, Integrator, LabChain, Level, Lighting,
-    PerspectiveCamera, Picture, Relative, Scene,
+    DirectLighting, Engine, Film, Integrator, LabChain, Level, Lighting, PerspectiveCamera,
+    Picture, Relative, Scene,
 };
 use std::cell::RefCell;
 use std::hint::black_box;
 use std::num::NonZero;
-use std::thread;
 use std::time::Instant;
 
 /// A case in a format, ready for every way, and its true picture.
@@ -39,15 +38,12 @@ const PIXELS_PER_OTHER_BYTE_AT_EDGES: usize = 32;
 /// The fewest and the most rounds of timing.
 const ROUNDS: [usize; 2] = [3, 101];
 
-/// The true picture of a case: the ray-relative chain in double-double.
+/// The true picture of a case, every byte proven.
 ///
 /// # Errors
-/// If the case is invalid in double-double.
+/// If the view is invalid, or a pixel is a tie that nothing decides.
 pub fn truth(case: &Case) -> Result<Picture> {
-    let chain =
-        Relative::<DoubleDouble>::new(&case.scene, &case.view, case.size, Lighting::Shadowed)?;
-    let engine = Engine::new(Level::Scalar, thread::available_parallelism().ok())?;
-    Ok(engine.render(&chain, case.size, Film::Clamp))
+    case::proven(case, Lighting::Shadowed, Film::Clamp)
 }
 
 impl<'a, F: InPackets> Stage<'a, F> {
@@ -106,6 +102,11 @@ impl<'a, F: InPackets> Stage<'a, F> {
                 let chain = Relative::<F>::new(scene, view, *size, Lighting::Shadowed)?;
                 engine.render_into(&chain, Film::Clamp, picture);
             }
+            Way::Proven => {
+                let (lighting, film) = (Lighting::Shadowed, Film::Clamp);
+                let proven = engine.render_proven(scene, view, *size, lighting, film)?;
+                *picture = proven.into_picture();
+            }
         }
         Ok(())
     }
@@ -121,10 +122,12 @@ impl<'a, F: InPackets> Stage<'a, F> {
         seconds: f64,
         wrong_pictures: &mut Vec<String>,
     ) -> Result<Vec<Row>> {
+        let runs = |contender: &&Contender| contender.way.runs_in::<F>();
+        let contenders: Vec<Contender> = contenders.iter().filter(runs).copied().collect();
         let mut references: Vec<(Way, Picture)> = vec![];
         let mut wrong_bytes = vec![];
         let mut round = 0.0;
-        for &contender in contenders {
+        for &contender in &contenders {
             let start = Instant::now();
             let picture = self.draw(contender)?;
             round += start.elapsed().as_secs_f64();
@@ -143,7 +146,7 @@ impl<'a, F: InPackets> Stage<'a, F> {
         }
         let canvas = RefCell::new(Picture::black(self.case.size));
         let mut tasks: Vec<Box<dyn FnMut() + '_>> = vec![];
-        for &contender in contenders {
+        for &contender in &contenders {
             let canvas = &canvas;
             tasks.push(Box::new(move || {
                 let mut canvas = canvas.borrow_mut();
@@ -155,14 +158,17 @@ impl<'a, F: InPackets> Stage<'a, F> {
         let rounds = ((seconds / round) as usize).clamp(ROUNDS[0], ROUNDS[1]);
         let laps = laps(rounds, &mut tasks);
         let row = |((&contender, own), wrong): ((&Contender, &Vec<f64>), usize)| {
-            self.row(contender, own, &laps[0], wrong)
+            let way = Way::Relative;
+            let plain = Contender { way, ..contender };
+            let plain = contenders.iter().position(|other| *other == plain);
+            let plain = plain.filter(|_| contender.way == Way::Proven);
+            Row {
+                ratio_to_plain: plain.map(|plain| ratio(own, &laps[plain])),
+                ..self.row(contender, own, &laps[0], wrong)
+            }
         };
-        Ok(contenders
-            .iter()
-            .zip(&laps)
-            .zip(wrong_bytes)
-            .map(row)
-            .collect())
+        let rows = contenders.iter().zip(&laps).zip(wrong_bytes).map(row);
+        Ok(rows.collect())
     }
 
     fn row(&self, contender: Contender, own: &[f64], baseline: &[f64], wrong: usize) -> Row {
@@ -171,10 +177,6 @@ impl<'a, F: InPackets> Stage<'a, F> {
             level,
             threads,
         } = contender;
-        let ratios = baseline
-            .iter()
-            .zip(own)
-            .map(|(baseline, own)| baseline / own);
         let size = self.case.size;
         Row {
             picture: self.picture.into(),
@@ -189,7 +191,8 @@ impl<'a, F: InPackets> Stage<'a, F> {
             level: level.name().into(),
             threads: NonZero::get(threads),
             ns_per_pixel: median(own.to_vec()) * 1e9 / size.pixels() as f64,
-            ratio_to_lab_way: median(ratios.collect()),
+            ratio_to_lab_way: ratio(baseline, own),
+            ratio_to_plain: None,
             wrong_bytes: wrong,
             share_of_limit: None,
         }
@@ -231,12 +234,31 @@ impl<'a, F: InPackets> Stage<'a, F> {
     }
 }
 
+/// The median of the ratios of neighbouring times.
+fn ratio(times: &[f64], to: &[f64]) -> f64 {
+    median(times.iter().zip(to).map(|(a, b)| a / b).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::bench::lists;
     use crate::bench::way::LAB;
-    use ombrage::{Figure, Size};
+    use ombrage::{DoubleDouble, Figure, Size, render};
+
+    /// The proof's truth against another: all pixels in double-double, which errs by about 1e-30.
+    #[test]
+    fn the_truth_is_that_of_double_double() {
+        let size = Size::new(120, 80).expect("valid");
+        for case in [lists::figure(size), lists::spheres(40)] {
+            let Case {
+                scene, view, size, ..
+            } = &case.as_ref().expect("valid");
+            let chain = Relative::<DoubleDouble>::new(scene, view, *size, Lighting::Shadowed);
+            let expected = render(&chain.expect("valid"), *size, Film::Clamp);
+            assert!(truth(&case.expect("valid")).expect("decided") == expected);
+        }
+    }
 
     /// Pictures of other figures, and pictures a byte off, are noticed.
     #[test]
@@ -256,7 +278,7 @@ mod tests {
             let contender = Contender::new(way, Level::best());
             stage.complaint(contender, picture, &reference).is_some()
         };
-        for way in [LAB, Way::Hierarchy, Way::Relative] {
+        for way in [LAB, Way::Hierarchy, Way::Relative, Way::Proven] {
             assert!(!complains(way, &reference), "{way:?}");
             assert!(complains(way, &off), "{way:?}");
             assert!(complains(way, &other), "{way:?}");

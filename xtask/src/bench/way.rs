@@ -1,6 +1,6 @@
 //! The ways to compute a picture that run against each other.
 
-use ombrage::{Level, Quality, Shadow, ShadowQuery};
+use ombrage::{Float, Level, Quality, Scalar, Shadow, ShadowQuery};
 use std::num::NonZero;
 
 /// How a picture is computed.
@@ -14,6 +14,8 @@ pub enum Way {
     Hierarchy,
     /// The kit's default.
     Relative,
+    /// The same, every byte proven.
+    Proven,
 }
 
 /// The lab's chain as Figure 3(c) has it.
@@ -27,6 +29,7 @@ impl Way {
             Way::Lab(..) => "lab",
             Way::Hierarchy => "lab, hierarchy",
             Way::Relative => "relative",
+            Way::Proven => "proven",
         }
     }
 
@@ -35,7 +38,7 @@ impl Way {
         match self {
             Way::Baseline | Way::Hierarchy => Shadow::UlpOffset.name(),
             Way::Lab(shadow, ..) => shadow.name(),
-            Way::Relative => "sidedness".into(),
+            Way::Relative | Way::Proven => "sidedness".into(),
         }
     }
 
@@ -44,7 +47,7 @@ impl Way {
         match self {
             Way::Baseline | Way::Hierarchy => Some(Quality::Textbook),
             Way::Lab(_, quality, _) => Some(quality),
-            Way::Relative => None,
+            Way::Relative | Way::Proven => None,
         }
     }
 
@@ -53,7 +56,7 @@ impl Way {
         match self {
             Way::Baseline | Way::Lab(_, _, ShadowQuery::Nearest) => Some("nearest"),
             Way::Lab(_, _, ShadowQuery::Any) | Way::Hierarchy => Some("any"),
-            Way::Relative => None,
+            Way::Relative | Way::Proven => None,
         }
     }
 
@@ -62,8 +65,13 @@ impl Way {
         match self {
             Way::Baseline | Way::Hierarchy => LAB,
             Way::Lab(shadow, quality, _) => Way::Lab(shadow, quality, ShadowQuery::Any),
-            Way::Relative => Way::Relative,
+            Way::Relative | Way::Proven => self,
         }
+    }
+
+    /// Whether it runs in a format: a proof takes all formats it needs, and is counted as `f32`.
+    pub fn runs_in<F: Float>(self) -> bool {
+        self != Way::Proven || F::NAME == f32::NAME
     }
 
     /// Whether it knows packets.

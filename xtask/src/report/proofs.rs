@@ -71,8 +71,11 @@ fn row(picture: String, proven: &Proven) -> Row {
 
 fn higher(proven: &Proven) -> Vec<Higher> {
     let width = proven.picture().size().width() as usize;
-    let rungs = proven.rungs().iter().enumerate();
-    let higher = rungs.filter(|(_, rung)| **rung != Rung::F32);
+    let rungs = proven.rungs();
+    let higher = rungs
+        .iter()
+        .enumerate()
+        .filter(|(_, rung)| **rung != Rung::F32);
     let place = |(place, rung): (usize, &Rung)| Higher {
         column: (place % width) as u32,
         row: (place / width) as u32,
