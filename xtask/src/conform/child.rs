@@ -139,10 +139,12 @@ fn read_lines(stdout: impl Read, sender: &SyncSender<Printed>) {
     let mut stdout = BufReader::new(stdout);
     let mut line = vec![];
     while let Ok(Some(length)) = read_line(&mut stdout, &mut line, LONGEST, ENDLESS) {
-        let printed = match length {
-            ..=LONGEST => Printed::Line(std::mem::take(&mut line), Instant::now()),
-            ..=ENDLESS => Printed::LongLine,
-            _ => Printed::Endless,
+        let printed = if length > ENDLESS {
+            Printed::Endless
+        } else if length > LONGEST {
+            Printed::LongLine
+        } else {
+            Printed::Line(std::mem::take(&mut line), Instant::now())
         };
         if sender.send(printed).is_err() || length > ENDLESS {
             return;
