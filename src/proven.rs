@@ -164,6 +164,22 @@ impl Engine {
         lighting: Lighting,
         film: Film,
     ) -> Result<Proven, Invalid> {
+        self.render_proven_over(scene, view, lighting, film, Picture::black(size))
+    }
+
+    /// The same over a picture, at its size: see [`render_into`](Self::render_into).
+    ///
+    /// # Errors
+    /// As [`Relative::new`](crate::Relative::new).
+    pub fn render_proven_over(
+        self,
+        scene: &Scene<f64>,
+        view: &View<f64>,
+        lighting: Lighting,
+        film: Film,
+        mut picture: Picture,
+    ) -> Result<Proven, Invalid> {
+        let size = picture.size();
         let precisely = Precisely::of(scene, view, size, lighting)?;
         let background = scene.background();
         let single = Prover::<f32>::of(&precisely, background, size, film);
@@ -176,40 +192,34 @@ impl Engine {
         };
         let climbed = Mutex::new(vec![]);
         let width = size.width() as usize;
-        let mut pixels = vec![];
-        self.share(
-            size,
-            0..size.height(),
-            [0; 3],
-            &mut pixels,
-            |rows, pixels| {
-                let mut open = vec![];
-                let (first, count) = (rows.start, rows.len() * width);
-                if scene.lights().len() > MANY_LIGHTS {
-                    pixels.resize(pixels.len() + count, [0; 3]);
-                    open.extend(0..count);
-                } else {
-                    let rows = Rows {
-                        prover: &single,
-                        size,
-                        rows,
-                        pixels,
-                        open: &mut open,
-                    };
-                    in_single_packets(self.level(), rows);
-                }
-                let start = first as usize * width;
-                let above = open.into_iter().map(|i| {
-                    let (column, row) = ((i % width) as u32, first + (i / width) as u32);
-                    let (rung, bytes) = climb(column, row).unwrap_or((Rung::Undecided, [0; 3]));
-                    pixels[i] = bytes;
-                    (start + i, rung)
-                });
-                let above: Vec<_> = above.collect();
-                let mut climbed = climbed.lock().unwrap_or_else(PoisonError::into_inner);
-                climbed.extend(above);
-            },
-        );
+        let pixels = picture.pixels_mut();
+        self.share(size, 0..size.height(), [0; 3], pixels, |rows, pixels| {
+            let mut open = vec![];
+            let (first, count) = (rows.start, rows.len() * width);
+            if scene.lights().len() > MANY_LIGHTS {
+                pixels.resize(pixels.len() + count, [0; 3]);
+                open.extend(0..count);
+            } else {
+                let rows = Rows {
+                    prover: &single,
+                    size,
+                    rows,
+                    pixels,
+                    open: &mut open,
+                };
+                in_single_packets(self.level(), rows);
+            }
+            let start = first as usize * width;
+            let above = open.into_iter().map(|i| {
+                let (column, row) = ((i % width) as u32, first + (i / width) as u32);
+                let (rung, bytes) = climb(column, row).unwrap_or((Rung::Undecided, [0; 3]));
+                pixels[i] = bytes;
+                (start + i, rung)
+            });
+            let above: Vec<_> = above.collect();
+            let mut climbed = climbed.lock().unwrap_or_else(PoisonError::into_inner);
+            climbed.extend(above);
+        });
         let mut climbed = climbed.into_inner().unwrap_or_else(PoisonError::into_inner);
         climbed.sort_unstable_by_key(|&(i, _)| i);
         let mut undecided = vec![];
@@ -230,7 +240,7 @@ impl Engine {
             }
         }
         Ok(Proven {
-            picture: Picture::from_rendering(size, pixels),
+            picture,
             climbed,
             undecided,
         })

@@ -10,10 +10,11 @@ use crate::compare::differing;
 use crate::error::Result;
 use ombrage::{
     DirectLighting, Engine, Film, Integrator, LabChain, Level, Lighting, PerspectiveCamera,
-    Picture, Relative, Scene,
+    Picture, Relative, Scene, Size,
 };
 use std::cell::RefCell;
 use std::hint::black_box;
+use std::mem;
 use std::num::NonZero;
 use std::time::Instant;
 
@@ -104,7 +105,8 @@ impl<'a, F: InPackets> Stage<'a, F> {
             }
             Way::Proven => {
                 let (lighting, film) = (Lighting::Shadowed, Film::Clamp);
-                let proven = engine.render_proven(scene, view, *size, lighting, film)?;
+                let canvas = mem::replace(picture, Picture::black(Size::new(1, 1)?));
+                let proven = engine.render_proven_over(scene, view, lighting, film, canvas)?;
                 *picture = proven.into_picture();
             }
         }
@@ -244,7 +246,7 @@ mod tests {
     use super::*;
     use crate::bench::lists;
     use crate::bench::way::LAB;
-    use ombrage::{DoubleDouble, Figure, Size, render};
+    use ombrage::{DoubleDouble, Figure, render};
 
     /// The proof's truth against another: all pixels in double-double, which errs by about 1e-30.
     #[test]
