@@ -8,6 +8,7 @@
 //! truth, and `Trial`, which asks them of anyone's kernels. Without it the
 //! library depends on no JSON and no exact arithmetic.
 
+pub mod diagnosis;
 mod explain;
 mod kernels;
 mod precision;

@@ -2,9 +2,9 @@
 
 mod annotate;
 mod job;
-mod sheet;
+pub(crate) mod sheet;
 mod study;
-mod view;
+pub(crate) mod view;
 
 use crate::arguments::{Format, Machine, parse_size};
 use crate::error::{Error, Result};

@@ -4,8 +4,8 @@ use clap::{CommandFactory, Parser, Subcommand};
 use std::process::ExitCode;
 use xtask::error::{Error, Result};
 use xtask::{
-    bench, compare, conform, digests, explain, figures, kernels, output, precision, render, report,
-    shadows, tidy, vectors,
+    bench, check, compare, conform, digests, explain, figures, kernels, output, precision, render,
+    report, shadows, tidy, vectors,
 };
 
 /// The commands of the kit. Exit status: 0 all is well, 1 something was found, 2 bad input.
@@ -26,6 +26,7 @@ enum Command {
     Render(render::Args),
     Report(report::Args),
     Explain(explain::Args),
+    Check(check::Args),
     Conform(conform::Args),
     Shadows(shadows::Args),
     Compare(compare::Args),
@@ -67,6 +68,7 @@ fn run() -> Result<ExitCode> {
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Report(args)) => report::run(&args),
         Some(Command::Bench(args)) => bench::run(&args),
+        Some(Command::Check(args)) => check::run(&args),
         None => {
             output::print(&Cli::command().render_long_help().to_string())?;
             Ok(ExitCode::SUCCESS)

@@ -1,0 +1,167 @@
+//! Numbers that a recipe needs and a picture does not say outright: found by trying.
+
+use super::changes::{SAME_POWER, differs};
+use super::evidence::Evidence;
+use super::recipe::{Recipe, ShadowRay};
+use crate::error::Invalid;
+use std::f64::consts::PI;
+
+/// The recipe with its wrong numbers as near to the picture as trying brings them.
+pub(super) fn refined(
+    evidence: &Evidence,
+    mut recipe: Recipe,
+    expected: &Recipe,
+) -> Result<Recipe, Invalid> {
+    let right = expected.viewpoint.fov;
+    if recipe.viewpoint.fov != right {
+        let step = 4.0;
+        search(evidence, &mut recipe, step, 0.01, |r, step| {
+            r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
+        })?;
+    }
+    if recipe.power != expected.power && recipe.power != 1.0 / PI {
+        search(evidence, &mut recipe, 0.04, 0.0005, |r, step| {
+            r.power *= 1.0 + step;
+        })?;
+    }
+    if recipe.viewpoint.shadow.is_some_and(|ray| ray.offset != 0.0) {
+        search(evidence, &mut recipe, 0.5, 0.01, |r, step| {
+            if let Some(ray) = &mut r.viewpoint.shadow {
+                ray.offset *= 1.0 + step;
+            }
+        })?;
+    }
+    for object in [0, 1] {
+        if evidence.loss.tolerance() > 0 && recipe.colors[object] != expected.colors[object] {
+            refine_color(evidence, &mut recipe, object)?;
+        }
+    }
+    Ok(snapped(recipe, expected, evidence.loss.tolerance()))
+}
+
+/// The recipe with the expected numbers where its own are the same but for noise.
+fn snapped(mut recipe: Recipe, expected: &Recipe, tolerance: u8) -> Recipe {
+    let same = SAME_POWER * (1.0 + f64::from(tolerance) / 3.0);
+    for power in [expected.power, expected.power / PI] {
+        if (recipe.power / power - 1.0).abs() <= same {
+            recipe.power = power;
+        }
+    }
+    if (recipe.viewpoint.fov - expected.viewpoint.fov).abs() < SAME_FOV {
+        recipe.viewpoint.fov = expected.viewpoint.fov;
+    }
+    for object in 0..2 {
+        if !differs(recipe.colors[object], expected.colors[object]) {
+            recipe.colors[object] = expected.colors[object];
+        }
+    }
+    recipe
+}
+
+/// A colour that was measured through a loss: perhaps some components are 0, then the whole, then
+/// each component.
+fn refine_color(evidence: &Evidence, recipe: &mut Recipe, object: usize) -> Result<(), Invalid> {
+    let mut pure = *recipe;
+    pure.colors[object] = pure.colors[object].map(|x| if x < SMALL { 0.0 } else { x });
+    if evidence.error(&pure)? < evidence.error(recipe)? {
+        *recipe = pure;
+    }
+    search(evidence, recipe, 0.04, 0.002, |r, step| {
+        r.colors[object] = r.colors[object].map(|x| x * (1.0 + step));
+    })?;
+    for component in [0, 1, 2, 0, 1, 2] {
+        search(evidence, recipe, 0.02, 0.002, |r, step| {
+            let color = &mut r.colors[object][component];
+            *color = (*color + step).max(0.0);
+        })?;
+    }
+    Ok(())
+}
+
+/// A component that may be 0, but for what bleeds into it.
+const SMALL: f64 = 0.12;
+
+/// Fields of view differ by so many degrees.
+const SAME_FOV: f64 = 0.1;
+
+/// Moves one number by smaller and smaller steps, as long as that brings the recipe nearer.
+fn search(
+    evidence: &Evidence,
+    recipe: &mut Recipe,
+    mut step: f64,
+    smallest: f64,
+    turn: impl Fn(&mut Recipe, f64),
+) -> Result<(), Invalid> {
+    let mut error = evidence.error(recipe)?;
+    while step > smallest {
+        let mut moved = false;
+        for by in [step, -step] {
+            let mut tried = *recipe;
+            turn(&mut tried, by);
+            let its_error = evidence.error(&tried)?;
+            if its_error < error {
+                (*recipe, error, moved) = (tried, its_error, true);
+                break;
+            }
+        }
+        if !moved {
+            step /= 2.0;
+        }
+    }
+    Ok(())
+}
+
+/// Moves one number of a shadow ray by a step.
+type Turn<'a> = &'a dyn Fn(&mut ShadowRay, f64);
+
+/// The recipe with the shadow ray that fits best, of all that differ from the recipe's own by
+/// `turns`, each a direction to go in.
+fn walk(
+    evidence: &Evidence,
+    recipe: &Recipe,
+    turns: &[Turn],
+    (largest, smallest): (f64, f64),
+) -> Result<(Recipe, f64), Invalid> {
+    let mut best = *recipe;
+    let mut error = evidence.error(recipe)?;
+    let mut step = largest;
+    while step > smallest {
+        let mut moved = false;
+        for turn in turns {
+            for by in [step, -step] {
+                let mut tried = best;
+                if let Some(ray) = &mut tried.viewpoint.shadow {
+                    turn(ray, by);
+                }
+                let its_error = evidence.error(&tried)?;
+                if its_error < error {
+                    (best, error, moved) = (tried, its_error, true);
+                }
+            }
+        }
+        if !moved {
+            step /= 2.0;
+        }
+    }
+    Ok((best, error))
+}
+
+/// The shadow rays that may explain where the shadow's edge is: an offset along the normal, a
+/// shift of the origin, another place of the light; each with its error on this evidence.
+pub(super) fn shadow_rays(
+    evidence: &Evidence,
+    recipe: &Recipe,
+) -> Result<[(Recipe, f64); 3], Invalid> {
+    let mut exact = *recipe;
+    exact.viewpoint.shadow = Some(ShadowRay::default());
+    let offset: Turn = &|ray, step| ray.offset = (ray.offset + step).max(0.0);
+    let x: Turn = &|ray, step| ray.shift[0] += step;
+    let z: Turn = &|ray, step| ray.shift[1] += step;
+    let light_x: Turn = &|ray, step| ray.light[0] += step;
+    let light_z: Turn = &|ray, step| ray.light[1] += step;
+    Ok([
+        walk(evidence, &exact, &[offset], (0.512, 0.0005))?,
+        walk(evidence, &exact, &[x, z], (0.512, 0.002))?,
+        walk(evidence, &exact, &[light_x, light_z], (2.048, 0.01))?,
+    ])
+}

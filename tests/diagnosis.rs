@@ -1,0 +1,87 @@
+//! Pictures with faults, drawn by another renderer, and what the diagnosis says of them.
+
+#[path = "support/naive.rs"]
+mod naive;
+#[path = "support/variants.rs"]
+mod variants;
+
+use naive::Naive;
+use ombrage::conformance::diagnosis::{Diagnosis, Verdict, diagnose};
+use ombrage::{Figure, Picture, Size};
+
+fn picture(naive: &Naive) -> Picture {
+    let size = Size::new(naive.width, naive.height).expect("a size");
+    Picture::new(size, naive.draw()).expect("three bytes a pixel")
+}
+
+fn judge(naive: &Naive, figure: &str) -> Diagnosis {
+    let figure = Figure::named(figure).expect("a figure");
+    diagnose(&picture(naive), figure, &[]).expect("a size that is judged")
+}
+
+fn codes(diagnosis: &Diagnosis) -> Vec<&'static str> {
+    diagnosis
+        .findings
+        .iter()
+        .map(|finding| finding.code.name())
+        .collect()
+}
+
+/// Whether a code is what was found: CLAMPED and SATURATED look alike.
+fn is_named(code: &str, diagnosis: &Diagnosis) -> bool {
+    let [finding] = &diagnosis.findings[..] else {
+        return false;
+    };
+    finding.code.name() == code || finding.or.is_some_and(|or| or.name() == code)
+}
+
+#[test]
+fn every_fault_is_named_alone() {
+    for (code, figure, naive) in naive::faults(160, 107) {
+        let diagnosis = judge(&naive, figure);
+        assert!(
+            is_named(code, &diagnosis),
+            "{code} {figure}: {:?}",
+            codes(&diagnosis)
+        );
+    }
+}
+
+#[test]
+fn right_pictures_conform() {
+    for figure in ["1", "2a", "2b", "3a", "3c"] {
+        for (words, naive) in variants::conventions(figure, 160, 107)
+            .into_iter()
+            .filter(|(words, _)| !words.starts_with("one random"))
+            .step_by(5)
+        {
+            let diagnosis = judge(&naive, figure);
+            let verdict = diagnosis.verdict;
+            assert_eq!(
+                verdict,
+                Verdict::Conforms,
+                "{figure} {words}: {diagnosis:?}"
+            );
+        }
+    }
+}
+
+/// Both faults of at least nine pairs in ten are named; every fourth pair is tried.
+#[test]
+fn pairs_of_faults_are_named() {
+    let pairs: Vec<_> = variants::pairs(160, 107).into_iter().step_by(4).collect();
+    let mut missed = vec![];
+    for (a, b, figure, naive) in &pairs {
+        let diagnosis = judge(naive, figure);
+        let found = codes(&diagnosis);
+        if !found.contains(a) || !found.contains(b) {
+            missed.push(format!("{a} + {b}: {found:?}"));
+        }
+    }
+    assert!(
+        10 * missed.len() <= pairs.len(),
+        "{} of {}: {missed:?}",
+        missed.len(),
+        pairs.len()
+    );
+}
