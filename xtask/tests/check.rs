@@ -82,7 +82,7 @@ fn is_named(code: &str, diagnosis: &Diagnosis) -> bool {
 /// Every third fault in another format; all faults in PNG are tests of the library.
 #[test]
 fn faults_are_named_through_jpeg() {
-    let faults = naive::faults(160, 107);
+    let faults = naive::faults(240, 160);
     for (number, (code, figure, naive)) in faults.into_iter().enumerate().step_by(3) {
         let format = JPEGS[number / 3 % 6];
         let found = judge(&naive, figure, format);

@@ -64,8 +64,13 @@ impl Speckle {
     /// Whether this is acne: dark pixels, or darkened ones, that speckle the object.
     pub fn is_acne(&self, tolerance: u8) -> bool {
         let speckled = self.dark >= FEWEST && self.roughness > 0.3;
-        let darkened =
-            self.mean < 0.95 && self.roughness > if tolerance > 0 { 0.042 } else { 0.08 };
+        // Loss smooths speckles; the edge of a solid shadow, though, is a little rough as well.
+        let rough = match (tolerance > 0, self.mean < 0.8) {
+            (false, _) => 0.08,
+            (true, true) => 0.042,
+            (true, false) => 0.15,
+        };
+        let darkened = self.mean < 0.95 && self.roughness > rough;
         self.lit >= FEWEST && (speckled || darkened)
     }
 

@@ -34,6 +34,9 @@ const LARGEST: f64 = 64.0;
 /// a pixel that nothing explains.
 const ACNE: f64 = 3.0;
 
+/// What it costs where nothing blurs it, and it is all black.
+const BLACK: f64 = 0.5;
+
 impl<'a> Evidence<'a> {
     /// These parts of a picture.
     pub fn new(picture: &Picture, regions: Vec<Region>, loss: &'a dyn Loss) -> Self {
@@ -127,7 +130,12 @@ impl<'a> Evidence<'a> {
         let may_be_black = drawn.object.index().is_some_and(|i| recipe.acne[i]) && drawn.is_lit;
         let tolerance = 2 + self.loss.tolerance();
         if may_be_black && off > tolerance && is_darker(drawn.rgb, observed, self.loss) {
-            return ACNE + f64::from(self.loss.tolerance()) / 2.0;
+            let is_black = self.loss.tolerance() == 0 && observed.iter().all(|&byte| byte <= 1);
+            return if is_black {
+                BLACK
+            } else {
+                ACNE + f64::from(self.loss.tolerance()) / 2.0
+            };
         }
         f64::from(off).min(LARGEST)
     }

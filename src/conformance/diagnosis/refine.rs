@@ -2,7 +2,9 @@
 
 use super::changes::{SAME_POWER, differs};
 use super::evidence::Evidence;
+use super::measure;
 use super::recipe::{Recipe, ShadowRay};
+use super::surface::Object;
 use crate::error::Invalid;
 use std::f64::consts::PI;
 
@@ -16,6 +18,10 @@ pub(super) fn refined(
     if recipe.viewpoint.fov != right {
         let step = 4.0;
         search(evidence, &mut recipe, step, 0.01, |r, step| {
+            r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
+        })?;
+        measured_again(evidence, &mut recipe, expected)?;
+        search(evidence, &mut recipe, 1.0, 0.01, |r, step| {
             r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
         })?;
     }
@@ -36,7 +42,54 @@ pub(super) fn refined(
             refine_color(evidence, &mut recipe, object)?;
         }
     }
+    let recipe = factored(recipe, expected);
     Ok(snapped(recipe, expected, evidence.loss.tolerance()))
+}
+
+/// Measures wrong colours again, now that the right pixels are known.
+fn measured_again(
+    evidence: &Evidence,
+    recipe: &mut Recipe,
+    expected: &Recipe,
+) -> Result<(), Invalid> {
+    for object in [Object::Sphere, Object::Plane] {
+        if let Some(index) = object.index()
+            && recipe.colors[index] != expected.colors[index]
+            && let Some(color) = measure::color(evidence, recipe, object)?
+        {
+            recipe.colors[index] = color;
+        }
+    }
+    Ok(())
+}
+
+/// Two wrong colours said more simply, where the expected ones explain them: red and blue are
+/// exchanged, or the light has another power, which shows on an object of the expected hue.
+fn factored(mut recipe: Recipe, expected: &Recipe) -> Recipe {
+    if (0..2).any(|i| recipe.colors[i] == expected.colors[i]) {
+        return recipe;
+    }
+    let exchanged = |[red, green, blue]: [f64; 3]| [blue, green, red];
+    let is_exchanged =
+        (0..2).any(|i| factor(recipe.colors[i], exchanged(expected.colors[i])).is_some());
+    if is_exchanged && recipe.swapped == expected.swapped {
+        recipe.swapped = !recipe.swapped;
+        recipe.colors = recipe.colors.map(exchanged);
+    }
+    let factors = [0, 1].map(|i| factor(recipe.colors[i], expected.colors[i]));
+    if let (Some(power), true) = (factors[0].or(factors[1]), recipe.power == expected.power) {
+        recipe.power *= power;
+        recipe.colors = recipe.colors.map(|color| color.map(|x| x / power));
+    }
+    recipe
+}
+
+/// The factor between two colours of the same hue, give or take noise.
+fn factor(color: [f64; 3], of: [f64; 3]) -> Option<f64> {
+    let brightest = (0..3).max_by(|&a, &b| of[a].total_cmp(&of[b]))?;
+    let factor = color[brightest] / of[brightest];
+    let same = (0..3).all(|c| (color[c] - factor * of[c]).abs() <= 0.02 * factor);
+    (same && factor > 0.0 && factor.is_finite()).then_some(factor)
 }
 
 /// The recipe with the expected numbers where its own are the same but for noise.

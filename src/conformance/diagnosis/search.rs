@@ -80,7 +80,7 @@ fn roughly(
     let start = with_error(evidence, *expected, expected)?;
     let mut pool = vec![start];
     let mut front = vec![start];
-    for _ in 0..DEPTH {
+    for depth in 0..DEPTH {
         let mut next = vec![];
         for candidate in &front {
             for recipe in changes(evidence, &candidate.recipe, expected)? {
@@ -96,7 +96,8 @@ fn roughly(
         front = next;
         let best = front.first().map_or(f64::INFINITY, Candidate::rank);
         let explained = lossless && before.min(best) < NOTHING;
-        if explained || best >= before {
+        // Pairs are always tried: alone, one fault of two may gain nothing.
+        if explained || depth > 0 && best >= before {
             break;
         }
     }

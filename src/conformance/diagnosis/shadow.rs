@@ -6,14 +6,17 @@ use super::refine::shadow_rays;
 use super::shade::Drawn;
 use super::surface::{Object, Region};
 use crate::error::Invalid;
-use crate::picture::Picture;
+use crate::picture::{Picture, Size};
 
 /// Shorter offsets, in scene units, move no shadow that one could see.
 const SHORTEST: f64 = 0.002;
 
 /// What a displacement must gain, in levels of all pixels together: a dozen pixels that turn from
-/// shadow to light.
-const LEAST_GAIN: f64 = 500.0;
+/// shadow to light in a picture as wide as the lab's; fewer in one whose shadow has fewer.
+fn least_gain(picture: &Picture) -> f64 {
+    let wide = f64::from(picture.size().width()) / f64::from(Size::LAB.width());
+    500.0 * wide.clamp(0.25, 1.0)
+}
 
 /// The recipe with the shadow ray that explains the shadow's edge, if one does so clearly better
 /// than the exact one.
@@ -33,14 +36,15 @@ pub(super) fn displaced(
         .collect();
     let evidence = Evidence::new(picture, regions, whole.loss);
     let pixels = evidence.observed.len() as f64;
+    let least_gain = least_gain(picture);
     let mut exact = *recipe;
     exact.viewpoint.shadow = Some(ShadowRay::default());
     let error = evidence.error(&exact)?;
-    if error * pixels < LEAST_GAIN || !is_worth_a_walk(&evidence, &exact, error)? {
+    if error * pixels < least_gain || !is_worth_a_walk(&evidence, &exact, error)? {
         return Ok(exact);
     }
     let [offset, shift, light] = shadow_rays(&evidence, recipe)?;
-    let is_better = |other: f64| other < 0.8 * error && (error - other) * pixels > LEAST_GAIN;
+    let is_better = |other: f64| other < 0.8 * error && (error - other) * pixels > least_gain;
     let beside = if light.1 < 0.9 * shift.1 {
         light
     } else {

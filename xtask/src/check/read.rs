@@ -50,6 +50,12 @@ pub fn read(path: &Path) -> Result<Submission> {
     let format = format_of(&bytes).map_err(|why| failed(&why))?;
     let mut remarks = vec![];
     if format == ImageFormat::Png {
+        // Before the decoder, which may miss the pixels first.
+        if let Some(&[w0, w1, w2, w3, h0, h1, h2, h3]) = bytes.get(16..24) {
+            let [width, height] = [[w0, w1, w2, w3], [h0, h1, h2, h3]].map(u32::from_be_bytes);
+            let size = Size::new(width, height).map_err(|invalid| failed(&invalid))?;
+            check_size(size).map_err(|invalid| failed(&invalid))?;
+        }
         let decoder = PngDecoder::new(Cursor::new(&bytes)).map_err(|error| failed(&error))?;
         if decoder.is_apng().map_err(|error| failed(&error))? {
             return Err(failed(&"it is animated; save one of its pictures"));
