@@ -94,6 +94,41 @@ impl Jpeg {
         means.into_iter().map(of).collect()
     }
 
+    /// A chroma component at full size, after its loss.
+    fn chroma_plane(
+        &self,
+        [width, height]: [usize; 2],
+        sample: impl Fn(usize, usize) -> f32,
+    ) -> Plane {
+        let [across, down] = self.chroma.unwrap_or([1, 1]).map(|n| n as usize);
+        let small = [width.div_ceil(across), height.div_ceil(down)];
+        let mut plane = Plane::new(small, |x, y| {
+            if self.chroma.is_none() {
+                return 128.0;
+            }
+            let (left, top) = (x * across, y * down);
+            if !self.is_mean {
+                return sample(left, top);
+            }
+            let mut sum = 0.0;
+            for row in (top..top + down).map(|row| row.min(height - 1)) {
+                for column in (left..left + across).map(|column| column.min(width - 1)) {
+                    sum += sample(column, row);
+                }
+            }
+            // Halves go down and up in turns.
+            let all = (across * down) as f32;
+            let rounding = if x.is_multiple_of(2) {
+                all / 2.0 - 1.0
+            } else {
+                all / 2.0
+            };
+            ((sum + rounding.max(0.0)) / all).floor()
+        });
+        plane.quantise(&self.tables[1]);
+        plane.enlarged([across, down])
+    }
+
     /// The quality from 1 to 100 whose steps are nearest, as the Independent JPEG Group counts it.
     pub fn quality(&self) -> u32 {
         let off = |quality: &u32| {
@@ -168,36 +203,88 @@ impl Plane {
     fn quantise(&mut self, table: &[u16; 64]) {
         for top in (0..self.height).step_by(8) {
             for left in (0..self.width).step_by(8) {
-                let place = |at: usize| (top + at / 8) * self.width + left + at % 8;
+                let rows = (0..8).map(|row| (top + row) * self.width + left);
                 let mut block = [0.0; 64];
-                for (at, sample) in block.iter_mut().enumerate() {
-                    *sample = self.samples[place(at)] - 128.0;
+                for (row, at) in block.chunks_exact_mut(8).zip(rows.clone()) {
+                    row.copy_from_slice(&self.samples[at..at + 8]);
                 }
-                let mut block = cosine_transform(&block, &BASIS);
-                for (coefficient, &step) in block.iter_mut().zip(table) {
-                    let step = f32::from(step);
-                    *coefficient = (*coefficient / step).round() * step;
+                if block.iter().all(|sample| *sample == block[0]) {
+                    let mean = quantised(8.0 * (block[0] - 128.0), table[0]);
+                    block = [(mean / 8.0 + 128.0).round().clamp(0.0, 255.0); 64];
+                } else {
+                    let shifted = block.map(|sample| sample - 128.0);
+                    let mut coefficients = transform(&shifted, &BASIS, &TRANSPOSED);
+                    for (coefficient, &step) in coefficients.iter_mut().zip(table) {
+                        *coefficient = quantised(*coefficient, step);
+                    }
+                    block = transform(&coefficients, &TRANSPOSED, &BASIS)
+                        .map(|sample| (sample + 128.0).round().clamp(0.0, 255.0));
                 }
-                let block = cosine_transform(&block, &TRANSPOSED);
-                for (at, sample) in block.iter().enumerate() {
-                    self.samples[place(at)] = (sample + 128.0).round().clamp(0.0, 255.0);
+                for (row, at) in block.chunks_exact(8).zip(rows) {
+                    self.samples[at..at + 8].copy_from_slice(row);
                 }
             }
         }
     }
 
-    /// The sample at a place given in samples, between four of them.
-    fn between(&self, x: f32, y: f32) -> f32 {
-        let [x, y] = [x.max(0.0), y.max(0.0)];
-        let (left, top) = (x as usize, y as usize);
-        let (across, down) = (x - left as f32, y - top as f32);
-        let at = |x: usize, y: usize| {
-            self.samples[y.min(self.height - 1) * self.width + x.min(self.width - 1)]
+    /// Twice as wide, twice as tall, or both: each sample is three quarters of the nearest one and
+    /// a quarter of the next, first down, then across. Other factors repeat the samples.
+    fn enlarged(&self, [across, down]: [usize; 2]) -> Self {
+        let mut tall = Self {
+            width: self.width,
+            height: self.height * down,
+            samples: Vec::with_capacity(self.samples.len() * across * down),
         };
-        let above = at(left, top) * (1.0 - across) + at(left + 1, top) * across;
-        let below = at(left, top + 1) * (1.0 - across) + at(left + 1, top + 1) * across;
-        above * (1.0 - down) + below * down
+        for y in 0..tall.height {
+            let (near, next) = neighbours(y, down, self.height);
+            let row = |y: usize| &self.samples[y * self.width..(y + 1) * self.width];
+            let pairs = row(near).iter().zip(row(next));
+            tall.samples
+                .extend(pairs.map(|(near, next)| blend(*near, *next)));
+        }
+        if across == 1 {
+            return tall;
+        }
+        let mut wide = Self {
+            width: tall.width * across,
+            height: tall.height,
+            samples: Vec::with_capacity(tall.samples.len() * across),
+        };
+        for row in tall.samples.chunks_exact(tall.width) {
+            let sample = |x| {
+                let (near, next) = neighbours(x, across, tall.width);
+                blend(row[near], row[next])
+            };
+            wide.samples.extend((0..wide.width).map(sample));
+        }
+        wide
     }
+}
+
+/// A coefficient as its multiple of a step: it is an eighth of a whole number, and halves go away
+/// from 0.
+fn quantised(coefficient: f32, step: u16) -> f32 {
+    let step = f32::from(step);
+    ((coefficient * 8.0).round() / (8.0 * step)).round() * step
+}
+
+/// The sample that covers a place, and the other one next to it.
+fn neighbours(place: usize, factor: usize, count: usize) -> (usize, usize) {
+    let near = place / factor;
+    if factor != 2 {
+        return (near, near);
+    }
+    let next = if place.is_multiple_of(2) {
+        near.saturating_sub(1)
+    } else {
+        (near + 1).min(count - 1)
+    };
+    (near, next)
+}
+
+/// Three quarters of one sample and a quarter of the other, rounded.
+fn blend(near: f32, next: f32) -> f32 {
+    ((3.0 * near + next + 2.0) / 4.0).floor()
 }
 
 type Matrix = [[f32; 8]; 8];
@@ -225,39 +312,40 @@ static TRANSPOSED: LazyLock<Matrix> = LazyLock::new(|| {
     transposed
 });
 
-/// `matrix * block * transpose(matrix)`.
-fn cosine_transform(block: &[f32; 64], matrix: &Matrix) -> [f32; 64] {
+/// `matrix * block * transposed`.
+fn transform(block: &[f32; 64], matrix: &Matrix, transposed: &Matrix) -> [f32; 64] {
     let mut columns = [0.0; 64];
-    for (row, weights) in matrix.iter().enumerate() {
-        for (i, weight) in weights.iter().enumerate() {
-            for x in 0..8 {
-                columns[8 * row + x] += weight * block[8 * i + x];
+    for (sums, weights) in columns.chunks_exact_mut(8).zip(matrix) {
+        for (row, weight) in block.chunks_exact(8).zip(weights) {
+            for (sum, sample) in sums.iter_mut().zip(row) {
+                *sum += weight * sample;
             }
         }
     }
     let mut result = [0.0; 64];
-    for y in 0..8 {
-        for (column, weights) in matrix.iter().enumerate() {
-            let row = columns[8 * y..8 * y + 8].iter();
-            result[8 * y + column] = row
-                .zip(weights)
-                .map(|(sample, weight)| sample * weight)
-                .sum();
+    for (sums, row) in result.chunks_exact_mut(8).zip(columns.chunks_exact(8)) {
+        for (weights, column) in transposed.iter().zip(row) {
+            for (sum, weight) in sums.iter_mut().zip(weights) {
+                *sum += weight * column;
+            }
         }
     }
     result
 }
 
-/// Luma and chroma of a colour, and back (JFIF 1.02).
+/// Luma and chroma of a colour (JFIF 1.02), in whole numbers; halves go down, so that chroma
+/// never leaves a byte.
 fn encode([red, green, blue]: [u8; 3]) -> [f32; 3] {
     let [red, green, blue] = [red, green, blue].map(f32::from);
-    [
+    let components = [
         0.299 * red + 0.587 * green + 0.114 * blue,
         128.0 - 0.168_736 * red - 0.331_264 * green + 0.5 * blue,
         128.0 + 0.5 * red - 0.418_688 * green - 0.081_312 * blue,
-    ]
+    ];
+    components.map(|component| (component - 0.5).ceil())
 }
 
+/// The way back.
 fn decode([luma, blueness, redness]: [f32; 3]) -> [u8; 3] {
     let (blueness, redness) = (blueness - 128.0, redness - 128.0);
     let rgb = [
@@ -280,45 +368,20 @@ impl Loss for Jpeg {
             }
         }
         let encoded: Vec<[f32; 3]> = pixels.iter().map(|&pixel| encode(pixel)).collect();
-        let mut luma = Plane::new(size, |x, y| encoded[y * size[0] + x][0].round());
+        let mut luma = Plane::new(size, |x, y| encoded[y * size[0] + x][0]);
         luma.quantise(&self.tables[0]);
-        let [across, down] = self.chroma.unwrap_or([1, 1]).map(|n| n as usize);
-        let chroma = [1, 2].map(|component| {
-            let small = [size[0].div_ceil(across), size[1].div_ceil(down)];
-            let mut plane = Plane::new(small, |x, y| {
-                if !self.is_mean {
-                    return encoded[y * down * size[0] + x * across][component].round();
-                }
-                let (mut sum, mut count) = (0.0, 0.0_f32);
-                for row in (y * down..(y + 1) * down).map(|row| row.min(size[1] - 1)) {
-                    for column in x * across..(x + 1) * across {
-                        let column = column.min(size[0] - 1);
-                        sum += encoded[row * size[0] + column][component];
-                        count += 1.0;
-                    }
-                }
-                let mean: f32 = sum / count;
-                if self.chroma.is_some() {
-                    mean.round()
-                } else {
-                    128.0
-                }
-            });
-            plane.quantise(&self.tables[1]);
-            plane
+        let [blueness, redness] = [1, 2].map(|component| {
+            let samples = |x: usize, y: usize| encoded[y * size[0] + x][component];
+            self.chroma_plane(size, samples)
         });
         for (at, pixel) in pixels.iter_mut().enumerate() {
             let (x, y) = (at % size[0], at / size[0]);
-            // Chroma samples lie in the middle of those they cover.
-            let middle = |i: usize, by: usize| (i as f32 + 0.5) / by as f32 - 0.5;
-            let [blueness, redness] = [0, 1].map(|component: usize| {
-                if across * down == 1 {
-                    chroma[component].samples[y * chroma[component].width + x]
-                } else {
-                    chroma[component].between(middle(x, across), middle(y, down))
-                }
-            });
-            *pixel = decode([luma.samples[y * luma.width + x], blueness, redness]);
+            let chroma = y * blueness.width + x;
+            *pixel = decode([
+                luma.samples[y * luma.width + x],
+                blueness.samples[chroma],
+                redness.samples[chroma],
+            ]);
         }
     }
 
