@@ -29,7 +29,7 @@ fn dim(tolerance: u8) -> u8 {
 }
 
 impl Speckle {
-    /// Looks at a whole picture, drawn without acne.
+    /// Looks at a whole picture, predicted without acne.
     pub fn of(evidence: &Evidence, recipe: &Recipe, drawn: &[Drawn], object: Object) -> Self {
         let width = evidence.size.width() as usize;
         let interior = |at: usize| is_interior(drawn, width, at, object);

@@ -171,8 +171,11 @@ fn figure_of(recipe: &Recipe) -> &'static str {
     }
 }
 
-/// Acne in words and numbers; of each object that has it.
-pub(super) fn acne(found: [Option<Speckle>; 2]) -> (String, Vec<(&'static str, Estimate)>) {
+/// Acne in words and numbers; of each object that has it. Whether its pixels may be averages.
+pub(super) fn acne(
+    found: [Option<Speckle>; 2],
+    may_average: bool,
+) -> (String, Vec<(&'static str, Estimate)>) {
     let which = objects([found[0].is_some(), found[1].is_some()]);
     let mut estimates = vec![("object", Estimate::Name(which))];
     let mut words = vec![];
@@ -180,7 +183,8 @@ pub(super) fn acne(found: [Option<Speckle>; 2]) -> (String, Vec<(&'static str, E
         let Some(speckle) = speckle else { continue };
         let rate = 1.0 - speckle.mean;
         let percent = (100.0 * rate * 10.0).round() / 10.0;
-        words.push(if speckle.is_averaged() {
+        let averaged = may_average && speckle.is_averaged();
+        words.push(if averaged {
             format!(
                 "averaging over a pixel turns it into noise: the {name} has lost {percent} % of \
                  its light"
@@ -189,7 +193,7 @@ pub(super) fn acne(found: [Option<Speckle>; 2]) -> (String, Vec<(&'static str, E
             format!("{percent} % of the lit pixels of the {name} are falsely black")
         });
         estimates.push((name, Estimate::Number(rounded(rate))));
-        if speckle.is_averaged() {
+        if averaged {
             estimates.push(("averaged", Estimate::Name(name)));
         }
     }

@@ -67,7 +67,7 @@ impl Fit {
             (true, true) => 0.03,
         };
         let acne = if has_acne { 3.5 + tolerance } else { 0.0 };
-        let lossy = if lost { 0.4 + tolerance / 12.0 } else { 0.0 };
+        let lossy = if lost { 0.1 + tolerance / 40.0 } else { 0.0 };
         let inside = if averaged { 0.5 } else { 0.15 } + lossy + acne;
         self.unexplained <= most && self.inside <= inside
     }

@@ -37,8 +37,18 @@ pub(super) fn color(
     recipe: &Recipe,
     object: Object,
 ) -> Result<Option<[f64; 3]>, Invalid> {
+    color_in(&evidence.observed, evidence, recipe, object)
+}
+
+/// The same in other pixels than those of the picture.
+pub(super) fn color_in(
+    pixels: &[[u8; 3]],
+    evidence: &Evidence,
+    recipe: &Recipe,
+    object: Object,
+) -> Result<Option<[f64; 3]>, Invalid> {
     let channels = recipe.channels();
-    let ratios = channels.map(|channel| ratio(evidence, recipe, object, channel));
+    let ratios = channels.map(|channel| ratio(pixels, evidence, recipe, object, channel));
     let [red, green, blue] = ratios;
     Ok(match (red?, green?, blue?) {
         (Some(red), Some(green), Some(blue)) => Some([red, green, blue]),
@@ -58,7 +68,7 @@ pub(super) fn power(evidence: &Evidence, recipe: &Recipe) -> Result<Option<f64>,
             continue;
         };
         let channel = recipe.channels()[component];
-        if let Some(ratio) = ratio(evidence, recipe, object, channel)? {
+        if let Some(ratio) = ratio(&evidence.observed, evidence, recipe, object, channel)? {
             factors.push(ratio / color[component]);
         }
     }
@@ -72,13 +82,14 @@ pub(super) fn power(evidence: &Evidence, recipe: &Recipe) -> Result<Option<f64>,
 /// half of their range counts. Bright pixels may be clamped or wrapped, so the dim ones have the
 /// first word: from them it is known which bright ones are not.
 fn ratio(
+    observed: &[[u8; 3]],
     evidence: &Evidence,
     recipe: &Recipe,
     object: Object,
     channel: usize,
 ) -> Result<Option<f64>, Invalid> {
     let surfels = evidence.surfels(&recipe.viewpoint)?;
-    let pixels = surfels.pixels().zip(&evidence.observed);
+    let pixels = surfels.pixels().zip(observed);
     let mut samples: Vec<(f64, f64)> = pixels
         .filter(|(pixel, _)| pixel.iter().all(|surfel| surfel.object == object))
         .map(|(pixel, observed)| {

@@ -111,25 +111,50 @@ fn snapped(mut recipe: Recipe, expected: &Recipe, tolerance: u8) -> Recipe {
     recipe
 }
 
-/// A colour that was measured through a loss: perhaps some components are 0, then the whole, then
-/// each component.
-fn refine_color(evidence: &Evidence, recipe: &mut Recipe, object: usize) -> Result<(), Invalid> {
-    let mut pure = *recipe;
-    pure.colors[object] = pure.colors[object].map(|x| if x < SMALL { 0.0 } else { x });
-    if evidence.error(&pure)? < evidence.error(recipe)? {
-        *recipe = pure;
+/// A colour that was measured through a loss. What the loss does to a measurement is measured on
+/// the prediction, and taken off; then small components are tried as 0, and all of them moved.
+fn refine_color(evidence: &Evidence, recipe: &mut Recipe, index: usize) -> Result<(), Invalid> {
+    let object = [Object::Sphere, Object::Plane][index];
+    let Some(seen) = measure::color(evidence, recipe, object)? else {
+        return Ok(());
+    };
+    let mut tried = *recipe;
+    let mut error = evidence.error(recipe)?;
+    for _ in 0..CORRECTIONS {
+        let predicted: Vec<_> = evidence.predicted(&tried)?.iter().map(|p| p.rgb).collect();
+        let Some(mine) = measure::color_in(&predicted, evidence, &tried, object)? else {
+            break;
+        };
+        for (component, (seen, mine)) in tried.colors[index].iter_mut().zip(seen.iter().zip(mine)) {
+            *component = (*component + seen - mine).max(0.0);
+        }
+        for recipe_tried in [tried, without_traces(tried, index)] {
+            let its_error = evidence.error(&recipe_tried)?;
+            if its_error < error {
+                (*recipe, error) = (recipe_tried, its_error);
+            }
+        }
     }
-    search(evidence, recipe, 0.04, 0.002, |r, step| {
-        r.colors[object] = r.colors[object].map(|x| x * (1.0 + step));
+    search(evidence, recipe, 0.01, 0.001, |r, step| {
+        r.colors[index] = r.colors[index].map(|x| x * (1.0 + step));
     })?;
-    for component in [0, 1, 2, 0, 1, 2] {
-        search(evidence, recipe, 0.02, 0.002, |r, step| {
-            let color = &mut r.colors[object][component];
+    for component in [0, 1, 2] {
+        search(evidence, recipe, 0.01, 0.001, |r, step| {
+            let color = &mut r.colors[index][component];
             *color = (*color + step).max(0.0);
         })?;
     }
     Ok(())
 }
+
+/// The recipe with a colour's small components at 0.
+fn without_traces(mut recipe: Recipe, index: usize) -> Recipe {
+    recipe.colors[index] = recipe.colors[index].map(|x| if x < SMALL { 0.0 } else { x });
+    recipe
+}
+
+/// How often a measured colour is corrected.
+const CORRECTIONS: usize = 5;
 
 /// A component that may be 0, but for what bleeds into it.
 const SMALL: f64 = 0.12;

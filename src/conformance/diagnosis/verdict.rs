@@ -6,7 +6,7 @@ use super::evidence::{Evidence, distance};
 use super::finding::{self, Finding};
 use super::fit::{Fit, around, difference};
 use super::loss::Loss;
-use super::recipe::Recipe;
+use super::recipe::{Recipe, Sampling};
 use super::search::{Candidate, finely, in_its_conventions, search};
 use super::shade::Drawn;
 use super::surface::{Object, Region};
@@ -73,7 +73,7 @@ fn with_acne(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<
     let mut bright = recipe;
     (bright.power, bright.colors) = (expected.power, expected.colors);
     let tolerance = whole.loss.tolerance();
-    let (drawn, bright_drawn) = (whole.drawn(&recipe)?, whole.drawn(&bright)?);
+    let (drawn, bright_drawn) = (whole.predicted(&recipe)?, whole.predicted(&bright)?);
     for object in [Object::Sphere, Object::Plane] {
         let Some(index) = object.index() else {
             continue;
@@ -130,8 +130,7 @@ impl Case<'_> {
     /// The diagnosis, where this recipe is the nearest.
     fn conclude(&self, best: Recipe) -> Result<Diagnosis, Invalid> {
         let (whole, expected) = (&self.whole, self.expected);
-        let best = in_its_conventions(&self.sample, best)?;
-        let fit = Fit::of(whole, &best, &whole.predicted(&best)?);
+        let (best, is_explained) = self.explained(in_its_conventions(&self.sample, best)?)?;
         let (conventions, shows_t_max) = conventions(whole, &best, self.loss)?;
         let mut diagnosis = Diagnosis {
             figure: self.figure.name,
@@ -143,8 +142,9 @@ impl Case<'_> {
             invisible: vec![],
             margin: margin(&self.sample, &best, expected, &self.candidates)?,
         };
-        if !fit.is_good(whole, &best) || palette::is_blank(self.picture) {
-            if palette::is_the_labs(self.picture, whole.loss) {
+        let is_blank = palette::is_blank(self.picture);
+        if !is_explained || is_blank {
+            if !is_blank && palette::is_the_labs(self.picture, whole.loss) {
                 diagnosis.verdict = Verdict::Faults;
                 diagnosis.findings.push(other_scene(self.picture));
             }
@@ -171,6 +171,26 @@ impl Case<'_> {
         diagnosis.invisible = invisible;
         Ok(diagnosis)
     }
+
+    /// The recipe, and whether it explains the whole picture. One that no single place in its
+    /// pixels explains may have random ones: then it is judged as an average is.
+    fn explained(&self, best: Recipe) -> Result<(Recipe, bool), Invalid> {
+        let whole = &self.whole;
+        if Fit::of(whole, &best, &whole.predicted(&best)?).is_good(whole, &best) {
+            return Ok((best, true));
+        }
+        let mut nearest: Option<(Recipe, f64)> = None;
+        for sampling in [Sampling::Average, Sampling::AverageOfSteps] {
+            let mut tried = best;
+            tried.viewpoint.sampling = sampling;
+            let fit = Fit::of(whole, &tried, &whole.predicted(&tried)?);
+            let is_nearer = nearest.is_none_or(|(_, inside)| fit.inside < inside);
+            if is_nearer && fit.is_good(whole, &tried) {
+                nearest = Some((tried, fit.inside));
+            }
+        }
+        Ok(nearest.map_or((best, false), |(recipe, _)| (recipe, true)))
+    }
 }
 
 /// A fault of the recipe, with the pixels that show it; `None` where none does.
@@ -182,15 +202,23 @@ fn finding(
 ) -> Result<Option<Finding>, Invalid> {
     let drawn = whole.drawn(best)?;
     let (places, words, estimates) = if code == Code::Acne {
+        let drawn = whole.predicted(best)?;
         let found = [Object::Sphere, Object::Plane].map(|object| {
             let speckle = Speckle::of(whole, best, &drawn, object);
             object.index().filter(|&i| best.acne[i]).map(|_| speckle)
         });
-        let (words, estimates) = finding::acne(found);
+        // Loss makes averages too: only a sampling that averages says where they come from.
+        let lossless = whole.loss.tolerance() == 0;
+        let may_average = lossless || best.viewpoint.sampling.is_average();
+        let (words, estimates) = finding::acne(found, may_average);
         (dark_pixels(whole, best, &drawn), words, estimates)
     } else {
         let without = whole.drawn(&best.without(code, expected))?;
-        let (places, _) = difference(&drawn, &without, whole.size.width(), 2);
+        let (mut places, _) = difference(&drawn, &without, whole.size.width(), 2);
+        if code == Code::OtherFigure && places.is_empty() {
+            // Only the acne is missing, which may be wherever there is light.
+            places = (0..drawn.len()).filter(|&at| drawn[at].is_lit).collect();
+        }
         let (words, estimates) = finding::described(code, best, expected);
         (places, words, estimates)
     };
@@ -284,7 +312,8 @@ fn margin(
     for recipe in without {
         let its_faults = recipe.faults(expected);
         let adds_only = faults.iter().all(|fault| its_faults.contains(fault));
-        if (adds_only && !faults.is_empty()) || sample.drawn(&recipe)? == drawn {
+        let is_the_same = its_faults == faults;
+        if is_the_same || (adds_only && !faults.is_empty()) || sample.drawn(&recipe)? == drawn {
             continue;
         }
         let error = sample.error(&recipe)?;

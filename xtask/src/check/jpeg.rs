@@ -143,7 +143,7 @@ impl Jpeg {
             let own = self.tables[0].iter().map(|&step| u32::from(step));
             steps.zip(own).map(|(a, b)| a.abs_diff(b)).sum::<u32>()
         };
-        (1..=100).min_by_key(off).unwrap_or(100)
+        (1..=100).rev().min_by_key(off).unwrap_or(100)
     }
 
     /// `4:4:4`, `4:2:2`, `4:2:0`, or what else it is.
