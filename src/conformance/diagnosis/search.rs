@@ -115,13 +115,21 @@ pub(super) fn finely(
         finer.push(with_error(evidence, candidate.recipe, expected)?);
     }
     let mut best = nearest(finer, expected, BEAM);
-    for candidate in best.iter_mut().take(PURSUED) {
-        let recipe = in_its_conventions(evidence, candidate.recipe)?;
-        let recipe = refined(evidence, recipe, expected)?;
+    let hopeful = |candidate: &&mut Candidate| candidate.error <= HOPELESS;
+    for candidate in best.iter_mut().take(PURSUED).filter(hopeful) {
+        // Numbers first: where they are off, no convention is better than another.
+        let guessed = refined(evidence, candidate.recipe, expected)?;
+        let mut recipe = in_its_conventions(evidence, guessed)?;
+        if recipe != guessed {
+            recipe = refined(evidence, recipe, expected)?;
+        }
         *candidate = with_error(evidence, recipe, expected)?;
     }
     Ok(nearest(best, expected, BEAM))
 }
+
+/// Errors above this, in levels, are not those of a recipe whose numbers are a little off.
+pub(super) const HOPELESS: f64 = 24.0;
 
 /// Candidates whose conventions and numbers are looked for.
 const PURSUED: usize = 4;

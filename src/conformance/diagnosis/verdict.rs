@@ -7,16 +7,20 @@ use super::finding::{self, Finding};
 use super::fit::{Fit, around, difference};
 use super::loss::Loss;
 use super::recipe::{Recipe, Sampling};
-use super::search::{Candidate, finely, in_its_conventions, search};
+use super::search::{Candidate, HOPELESS, finely, in_its_conventions, search};
 use super::shade::Drawn;
 use super::surface::{Object, Region};
 use super::{Code, Conventions, Diagnosis, Margin, Verdict, palette, shadow};
 use crate::error::Invalid;
 use crate::figure::Figure;
+use crate::film::Film;
 use crate::picture::Picture;
 
 /// Candidates that are compared on the whole picture.
 const FINALISTS: usize = 3;
+
+/// Errors inside of surfaces, in levels, that no place of the rays in their pixels can explain.
+const FAR: f64 = 10.0;
 
 /// Judges a picture.
 pub(super) fn reach(
@@ -46,9 +50,14 @@ pub(super) fn reach(
     }
     finalists.sort_by(|a, b| a.rank().total_cmp(&b.rank()));
     let best = finalists.first().map_or(*expected, |best| best.recipe);
-    let drawn = whole.drawn(&best)?;
-    let best = shadow::displaced(picture, &whole, &best, &drawn)?;
-    let best = necessary(&whole, with_acne(&whole, best, expected)?, expected)?;
+    let is_near = finalists.first().is_some_and(|best| best.error <= HOPELESS);
+    let best = if is_near {
+        let drawn = whole.drawn(&best)?;
+        let best = shadow::displaced(picture, &whole, &best, &drawn)?;
+        necessary(&whole, with_acne(&whole, best, expected)?, expected)?
+    } else {
+        best
+    };
     Case {
         picture,
         figure,
@@ -94,25 +103,38 @@ fn with_acne(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<
     Ok(recipe)
 }
 
-/// The recipe without the faults that explain no more than their absence does.
+/// The recipe without the faults that explain no more than their absence does; with the other
+/// film, if that explains the few pixels in which it shows.
 fn necessary(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<Recipe, Invalid> {
-    let mut predicted = whole.predicted(&recipe)?;
+    let mut other = recipe;
+    other.film = match recipe.film {
+        Film::Clamp => Film::Wrap,
+        Film::Wrap => Film::Clamp,
+    };
+    if is_better(whole, &other, &recipe)? {
+        recipe = other;
+    }
     for code in recipe.faults(expected) {
         if matches!(code, Code::Acne | Code::OtherFigure) {
             continue;
         }
         let without = recipe.without(code, expected);
-        let other = whole.predicted(&without)?;
-        let (places, _) = difference(&predicted, &other, whole.size.width(), 1);
-        let error = |recipe: &Recipe, drawn: &[Drawn]| -> f64 {
-            let off = |&at: &usize| whole.pixel_error(recipe, &drawn[at], whole.observed[at]);
-            places.iter().map(off).sum()
-        };
-        if error(&recipe, &predicted) > 0.8 * error(&without, &other) {
-            (recipe, predicted) = (without, other);
+        if !is_better(whole, &recipe, &without)? {
+            recipe = without;
         }
     }
     Ok(recipe)
+}
+
+/// Whether a recipe explains the pixels in which the two differ clearly better than the other.
+fn is_better(whole: &Evidence, recipe: &Recipe, other: &Recipe) -> Result<bool, Invalid> {
+    let (drawn, other_drawn) = (whole.predicted(recipe)?, whole.predicted(other)?);
+    let (places, _) = difference(&drawn, &other_drawn, whole.size.width(), 1);
+    let error = |recipe: &Recipe, drawn: &[Drawn]| -> f64 {
+        let off = |&at: &usize| whole.pixel_error(recipe, &drawn[at], whole.observed[at]);
+        places.iter().map(off).sum()
+    };
+    Ok(error(recipe, &drawn) <= 0.8 * error(other, &other_drawn) && !places.is_empty())
 }
 
 /// A picture and everything found out about it on the way to the verdict.
@@ -176,8 +198,9 @@ impl Case<'_> {
     /// pixels explains may have random ones: then it is judged as an average is.
     fn explained(&self, best: Recipe) -> Result<(Recipe, bool), Invalid> {
         let whole = &self.whole;
-        if Fit::of(whole, &best, &whole.predicted(&best)?).is_good(whole, &best) {
-            return Ok((best, true));
+        let fit = Fit::of(whole, &best, &whole.predicted(&best)?);
+        if fit.is_good(whole, &best) || fit.inside > FAR {
+            return Ok((best, fit.is_good(whole, &best)));
         }
         let mut nearest: Option<(Recipe, f64)> = None;
         for sampling in [Sampling::Average, Sampling::AverageOfSteps] {
