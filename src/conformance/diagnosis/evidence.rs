@@ -25,7 +25,7 @@ pub(super) struct Evidence<'a> {
 }
 
 /// Surfels that are remembered, of all viewpoints together.
-const KEPT: usize = 3 << 20;
+const KEPT: usize = 8 << 20;
 
 /// The largest error of a pixel that counts: more is no worse, be it a silhouette or a wrapped byte.
 const LARGEST: f64 = 64.0;

@@ -1,9 +1,10 @@
 //! How well a recipe explains a whole picture.
 
-use super::evidence::{Evidence, distance};
+use super::evidence::{Evidence, TILE, distance};
 use super::recipe::Recipe;
 use super::shade::Drawn;
 use super::surface::Region;
+use std::collections::HashMap;
 
 /// What a recipe leaves unexplained.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,6 +13,8 @@ pub(super) struct Fit {
     pub unexplained: f64,
     /// The mean error of the pixels away from silhouettes, in levels.
     pub inside: f64,
+    /// How much of that is no noise: it does not cancel out over a tile.
+    pub bias: f64,
 }
 
 /// Neighbours that differ by more make a silhouette.
@@ -26,6 +29,7 @@ impl Fit {
         let size = evidence.size;
         let (width, height) = (size.width() as usize, size.height() as usize);
         let (mut unexplained, mut inside, mut error) = (0_usize, 0_usize, 0.0);
+        let mut sums: HashMap<(usize, usize), [i32; 3]> = HashMap::new();
         for (at, (pixel, &observed)) in predicted.iter().zip(&evidence.observed).enumerate() {
             let (x, y) = (at % width, at / width);
             let (mut low, mut high) = (pixel.rgb, pixel.rgb);
@@ -46,18 +50,24 @@ impl Fit {
             if distance(low, high) <= SILHOUETTE {
                 inside += 1;
                 error += off;
+                let tile = (x / TILE as usize, y / TILE as usize);
+                let sum = sums.entry(tile).or_default();
+                *sum = [0, 1, 2].map(|c| sum[c] + i32::from(pixel.rgb[c]) - i32::from(observed[c]));
             }
         }
+        let largest = |sum: &[i32; 3]| sum.iter().map(|c| c.abs()).max().unwrap_or(0);
+        let biased: i32 = sums.values().map(largest).sum();
         Self {
+            bias: f64::from(biased) / inside.max(1) as f64,
             unexplained: unexplained as f64 / predicted.len().max(1) as f64,
             inside: error / inside.max(1) as f64,
         }
     }
 
-    /// Whether the recipe explains the picture.
+    /// Whether the recipe explains the picture. Rays through random places in a pixel make noise;
+    /// what does not cancel out is an error.
     pub fn is_good(&self, evidence: &Evidence, recipe: &Recipe) -> bool {
         let tolerance = f64::from(evidence.loss.tolerance());
-        let averaged = recipe.viewpoint.sampling.is_average();
         let lost = tolerance > 0.0;
         let has_acne = recipe.acne.contains(&true);
         let most = match (lost, has_acne) {
@@ -66,10 +76,11 @@ impl Fit {
             // Black pixels ring where JPEG has stored them.
             (true, true) => 0.03,
         };
-        let acne = if has_acne { 3.5 + tolerance } else { 0.0 };
         let lossy = if lost { 0.1 + tolerance / 40.0 } else { 0.0 };
-        let inside = if averaged { 0.5 } else { 0.15 } + lossy + acne;
-        self.unexplained <= most && self.inside <= inside
+        let acne = if has_acne { 3.5 + tolerance } else { 0.0 };
+        self.unexplained <= most
+            && self.inside <= 0.5 + lossy + acne
+            && (has_acne || self.bias <= 0.12 + lossy)
     }
 }
 

@@ -54,9 +54,19 @@ pub(super) fn search<'a>(
     let mut nearest: Option<(Evidence, usize, f64)> = None;
     for (number, loss) in losses.iter().enumerate() {
         let fine = Evidence::sample(picture, FINE, *loss);
-        let mut least = f64::INFINITY;
+        let mut least: Option<(Recipe, f64)> = None;
         for candidate in candidates.iter().take(PURSUED) {
-            least = least.min(fine.error(&candidate.recipe)?);
+            let error = fine.error(&candidate.recipe)?;
+            if least.is_none_or(|(_, least)| error < least) {
+                least = Some((candidate.recipe, error));
+            }
+        }
+        // In another sampling, another loss may seem to fit.
+        let Some((recipe, mut least)) = least else {
+            continue;
+        };
+        if losses.len() > 1 && least <= HOPELESS {
+            least = fine.error(&in_its_conventions(&fine, recipe)?)?;
         }
         if nearest.as_ref().is_none_or(|(.., known)| least < *known) {
             nearest = Some((fine, number, least));

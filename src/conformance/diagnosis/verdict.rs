@@ -6,7 +6,7 @@ use super::evidence::{Evidence, distance};
 use super::finding::{self, Finding};
 use super::fit::{Fit, around, difference};
 use super::loss::Loss;
-use super::recipe::{Recipe, Sampling};
+use super::recipe::Recipe;
 use super::search::{Candidate, HOPELESS, finely, in_its_conventions, search};
 use super::shade::Drawn;
 use super::surface::{Object, Region};
@@ -18,9 +18,6 @@ use crate::picture::Picture;
 
 /// Candidates that are compared on the whole picture.
 const FINALISTS: usize = 3;
-
-/// Errors inside of surfaces, in levels, that no place of the rays in their pixels can explain.
-const FAR: f64 = 10.0;
 
 /// Judges a picture.
 pub(super) fn reach(
@@ -152,7 +149,8 @@ impl Case<'_> {
     /// The diagnosis, where this recipe is the nearest.
     fn conclude(&self, best: Recipe) -> Result<Diagnosis, Invalid> {
         let (whole, expected) = (&self.whole, self.expected);
-        let (best, is_explained) = self.explained(in_its_conventions(&self.sample, best)?)?;
+        let best = in_its_conventions(&self.sample, best)?;
+        let fit = Fit::of(whole, &best, &whole.predicted(&best)?);
         let (conventions, shows_t_max) = conventions(whole, &best, self.loss)?;
         let mut diagnosis = Diagnosis {
             figure: self.figure.name,
@@ -165,7 +163,7 @@ impl Case<'_> {
             margin: margin(&self.sample, &best, expected, &self.candidates)?,
         };
         let is_blank = palette::is_blank(self.picture);
-        if !is_explained || is_blank {
+        if !fit.is_good(whole, &best) || is_blank {
             if !is_blank && palette::is_the_labs(self.picture, whole.loss) {
                 diagnosis.verdict = Verdict::Faults;
                 diagnosis.findings.push(other_scene(self.picture));
@@ -192,27 +190,6 @@ impl Case<'_> {
         (diagnosis.shown, diagnosis.not_shown) = (shown, not_shown);
         diagnosis.invisible = invisible;
         Ok(diagnosis)
-    }
-
-    /// The recipe, and whether it explains the whole picture. One that no single place in its
-    /// pixels explains may have random ones: then it is judged as an average is.
-    fn explained(&self, best: Recipe) -> Result<(Recipe, bool), Invalid> {
-        let whole = &self.whole;
-        let fit = Fit::of(whole, &best, &whole.predicted(&best)?);
-        if fit.is_good(whole, &best) || fit.inside > FAR {
-            return Ok((best, fit.is_good(whole, &best)));
-        }
-        let mut nearest: Option<(Recipe, f64)> = None;
-        for sampling in [Sampling::Average, Sampling::AverageOfSteps] {
-            let mut tried = best;
-            tried.viewpoint.sampling = sampling;
-            let fit = Fit::of(whole, &tried, &whole.predicted(&tried)?);
-            let is_nearer = nearest.is_none_or(|(_, inside)| fit.inside < inside);
-            if is_nearer && fit.is_good(whole, &tried) {
-                nearest = Some((tried, fit.inside));
-            }
-        }
-        Ok(nearest.map_or((best, false), |(recipe, _)| (recipe, true)))
     }
 }
 
