@@ -14,16 +14,13 @@ pub(super) fn refined(
     mut recipe: Recipe,
     expected: &Recipe,
 ) -> Result<Recipe, Invalid> {
-    let right = expected.viewpoint.fov;
-    if recipe.viewpoint.fov != right {
-        let step = 4.0;
-        search(evidence, &mut recipe, step, 0.01, |r, step| {
-            r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
-        })?;
-        measured_again(evidence, &mut recipe, expected)?;
-        search(evidence, &mut recipe, 1.0, 0.01, |r, step| {
-            r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
-        })?;
+    if recipe.viewpoint.fov != expected.viewpoint.fov {
+        // What was measured in another field of view may mean nothing.
+        let mut plain = recipe;
+        (plain.power, plain.colors) = (expected.power, expected.colors);
+        let (plain, its_error) = in_its_field_of_view(evidence, plain, expected)?;
+        let (measured, error) = in_its_field_of_view(evidence, recipe, expected)?;
+        recipe = if its_error <= error { plain } else { measured };
     }
     if recipe.power != expected.power && recipe.power != 1.0 / PI {
         search(evidence, &mut recipe, 0.04, 0.0005, |r, step| {
@@ -44,6 +41,31 @@ pub(super) fn refined(
     }
     let recipe = factored(recipe, expected);
     Ok(snapped(recipe, expected, evidence.loss.tolerance()))
+}
+
+/// The recipe with the field of view that fits best, and its error.
+fn in_its_field_of_view(
+    evidence: &Evidence,
+    mut recipe: Recipe,
+    expected: &Recipe,
+) -> Result<(Recipe, f64), Invalid> {
+    let turn = |r: &mut Recipe, step: f64| {
+        r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
+    };
+    search(evidence, &mut recipe, 4.0, 0.05, turn)?;
+    measured_again(evidence, &mut recipe, expected)?;
+    // Each row that becomes background or plane makes a small step in the error: look beyond.
+    let mut best = (recipe, evidence.error(&recipe)?);
+    for step in -NEAR..=NEAR {
+        let mut tried = recipe;
+        turn(&mut tried, 0.05 * f64::from(step));
+        let error = evidence.error(&tried)?;
+        if error < best.1 {
+            best = (tried, error);
+        }
+    }
+    search(evidence, &mut best.0, 0.04, 0.002, turn)?;
+    Ok((best.0, evidence.error(&best.0)?))
 }
 
 /// Measures wrong colours again, now that the right pixels are known.
@@ -158,6 +180,9 @@ const CORRECTIONS: usize = 5;
 
 /// A component that may be 0, but for what bleeds into it.
 const SMALL: f64 = 0.12;
+
+/// Twentieths of a degree that are looked at to each side.
+const NEAR: i32 = 12;
 
 /// Fields of view differ by so many degrees.
 const SAME_FOV: f64 = 0.1;
