@@ -18,8 +18,8 @@ use std::process::ExitCode;
 
 /// Say what is wrong with a picture of a figure, drawn by any program
 ///
-/// The picture may have any size; it is compared with the figure at that size. First the
-/// conventions are found, which are no faults: where in a pixel its rays go, how numbers become
+/// The picture may have any size from 32x32 to 2^24 pixels (4096x4096); it is compared with the
+/// figure at that size. First the conventions are found, which are no faults: where in a pixel its rays go, how numbers become
 /// bytes, what JPEG took. Then the faults, each with a stable code, the pixels that show it, the
 /// clause of docs/spec.md, and what to look for in the program. docs/check.md lists them all.
 #[derive(clap::Args)]
@@ -32,8 +32,8 @@ Examples:
 
 Exit status: 0 conforms; 1 faults, or nothing explains a picture; 2 bad input.
 
-error: how far the picture is from what was found, in levels a pixel; margin: 1 where every other
-explanation is far off, 0 where one is as good.")]
+error: how far the picture is from what was found, in levels (steps of a byte) a pixel; margin: 1
+where every other explanation is far off, 0 where one is as good.")]
 pub struct Args {
     /// A PNG, JPEG, PPM or BMP file, or a directory of them
     #[arg(value_name = "PICTURE")]
@@ -67,13 +67,6 @@ pub struct Judged {
 pub fn run(args: &Args) -> Result<ExitCode> {
     if args.picture.is_dir() {
         return directory(args);
-    }
-    if args
-        .annotate
-        .as_ref()
-        .is_some_and(|out| out.as_os_str().is_empty())
-    {
-        return Err(Error::new("--annotate is empty: give a PNG file"));
     }
     let (submission, diagnosis) = judge(&args.picture, args.figure)?;
     if let Some(out) = &args.annotate {

@@ -24,7 +24,6 @@ struct Cli {
 enum Command {
     Figures(figures::Args),
     Render(render::Args),
-    Report(report::Args),
     Explain(explain::Args),
     Check(check::Args),
     Conform(conform::Args),
@@ -36,6 +35,7 @@ enum Command {
     Vectors(vectors::Args),
     Digests(digests::Args),
     Tidy(tidy::Args),
+    Report(report::Args),
 }
 
 fn main() -> ExitCode {

@@ -31,14 +31,18 @@ struct Long {
 }
 
 /// docs/testing.md says what they are for.
-const LONG: [Long; 6] = [
+const LONG: [Long; 7] = [
     Long {
         what: "mutation testing (needs cargo-mutants; an hour and more)",
         how: "cargo mutants --config .cargo/mutants.toml -p ombrage --file 'src/**'",
     },
     Long {
-        what: "fuzzing of scene files and protocol lines (as long as you like)",
+        what: "fuzzing of scene files, protocol lines and pictures (as long as you like)",
         how: "PROPTEST_CASES=1000000 cargo test --release -p xtask --test fuzz",
+    },
+    Long {
+        what: "every fault in every format and size, judged (20 minutes)",
+        how: "OMBRAGE_MATRIX=full cargo test --release -p xtask --test check_matrix -- --nocapture",
     },
     Long {
         what: "commands killed at any moment, 100 times each (2 minutes)",

@@ -34,6 +34,23 @@ struct Job {
     format: Format,
 }
 
+impl Job {
+    fn name(&self) -> String {
+        let Self {
+            codes,
+            figure,
+            naive,
+            words,
+            ..
+        } = self;
+        let (width, height) = (naive.width, naive.height);
+        format!(
+            "{codes:?} {figure} ({words}) {width}x{height} {}",
+            self.format.name()
+        )
+    }
+}
+
 /// What a picture got.
 struct Found {
     codes: Vec<&'static str>,
@@ -75,7 +92,11 @@ fn judge(jobs: &[Job]) -> Vec<Found> {
         let figure = Figure::named(job.figure).expect("a figure");
         let (_, diagnosis) = check::judge(&path, figure)?;
         std::fs::remove_file(&path).expect("a file");
-        Ok(Found::new(&diagnosis, job))
+        let found = Found::new(&diagnosis, job);
+        if is_full() {
+            eprintln!("{}: {} {:.2}", job.name(), found.words(), found.margin);
+        }
+        Ok(found)
     };
     parallel::map(&numbered, one).expect("pictures")
 }
@@ -175,17 +196,7 @@ fn missed(jobs: &[Job], found: &[Found]) -> Vec<String> {
         let conforms = found.verdict == Verdict::Conforms;
         found.codes != job.codes || conforms != job.codes.is_empty()
     });
-    let words = wrong.map(|(job, found)| {
-        let (width, height) = (job.naive.width, job.naive.height);
-        format!(
-            "{:?} in {} ({}), {width}x{height}, {}: {}",
-            job.codes,
-            job.figure,
-            job.words,
-            job.format.name(),
-            found.words()
-        )
-    });
+    let words = wrong.map(|(job, found)| format!("{}: {}", job.name(), found.words()));
     words.collect()
 }
 
@@ -242,12 +253,7 @@ fn pairs_of_faults_are_named() {
     let mut missed = vec![];
     for (job, found) in jobs.iter().zip(&found) {
         if !job.codes.iter().all(|code| found.codes.contains(code)) {
-            missed.push(format!(
-                "{:?} {}: {}",
-                job.codes,
-                job.format.name(),
-                found.words()
-            ));
+            missed.push(format!("{}: {}", job.name(), found.words()));
         }
     }
     println!(

@@ -1,4 +1,4 @@
-//! Strangers' input: scene files and protocol lines, made by a grammar and by mutation.
+//! Strangers' input: scene files, protocol lines and pictures, made by a grammar and by mutation.
 //!
 //! No input makes the kit panic, hang, or say anything but one line; what is read is drawn in every
 //! way, with the same bytes at every level. `PROPTEST_CASES` sets how many inputs there are.
@@ -9,6 +9,7 @@ use std::fs;
 use std::path::Path;
 
 mod fuzz {
+    mod picture_files;
     mod protocol_lines;
     mod scene_files;
 }
