@@ -40,7 +40,12 @@ impl Recipe {
             self.power * cosine
         } else {
             let distance = f64::from(surfel.distance);
-            self.power * POWER * cosine / distance.powi(self.falloff)
+            let divisor = match self.falloff {
+                0 => 1.0,
+                1 => distance,
+                _ => distance * distance,
+            };
+            self.power * POWER * cosine / divisor
         }
     }
 
@@ -103,10 +108,11 @@ impl Recipe {
             _ => self.transfer.encode(x),
         };
         let level = match self.rounding {
-            Rounding::Truncate => (255.0 * x).trunc(),
+            Rounding::Truncate => 255.0 * x,
             Rounding::Nearest => (255.0 * x).round(),
         };
-        (level as i64).rem_euclid(256) as u8
+        // The conversion truncates, and the mask is the remainder of a division by 256.
+        (level as i64 & 255) as u8
     }
 
     /// The radiance that becomes this byte, give or take half a step; above 1 there are others.
