@@ -107,7 +107,7 @@ fn factored(mut recipe: Recipe, expected: &Recipe) -> Recipe {
 }
 
 /// The factor between two colours of the same hue, give or take noise.
-fn factor(color: [f64; 3], of: [f64; 3]) -> Option<f64> {
+pub(super) fn factor(color: [f64; 3], of: [f64; 3]) -> Option<f64> {
     let brightest = (0..3).max_by(|&a, &b| of[a].total_cmp(&of[b]))?;
     let factor = color[brightest] / of[brightest];
     let same = (0..3).all(|c| (color[c] - factor * of[c]).abs() <= 0.02 * factor);

@@ -7,6 +7,7 @@ use super::finding::{self, Finding};
 use super::fit::{Fit, around, difference};
 use super::loss::Loss;
 use super::recipe::Recipe;
+use super::refine::factor;
 use super::search::{Candidate, HOPELESS, finely, in_its_conventions, search};
 use super::shade::Drawn;
 use super::surface::{Object, Region};
@@ -89,7 +90,10 @@ fn with_acne(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<
             let mut darkened = recipe;
             darkened.acne[index] = true;
             (darkened.power, darkened.colors[index]) = (bright.power, bright.colors[index]);
-            if whole.error(&darkened)? <= whole.error(&recipe)? {
+            // A darker colour of the same hue would not be speckled.
+            let is_darker = recipe.power == expected.power
+                && factor(recipe.colors[index], expected.colors[index]).is_some_and(|x| x < 1.0);
+            if is_darker || whole.error(&darkened)? <= whole.error(&recipe)? {
                 recipe = darkened;
                 continue;
             }
