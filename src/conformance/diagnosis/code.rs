@@ -213,7 +213,7 @@ impl Code {
             Code::CosineUnclamped => "take max(0, dot(n, l)), neither the product as it is nor |x|",
             Code::NoFalloff => "divide the power by the square of the distance to the light",
             Code::LinearFalloff => "divide by the distance squared, not by the distance",
-            Code::WrongPower => "the light's power is 100",
+            Code::WrongPower => "the lab's has a power of 100",
             Code::ExtraPi => "the lab's materials are colour * radiance * cosine, without 1/π",
             Code::PlaneMissing => "add the plane to the scene, and test it for hits",
             Code::NormalFlipped => "turn the normal of a hit to the side the ray came from",
@@ -221,9 +221,9 @@ impl Code {
             Code::UpsideDown => "row 0 is the top of the picture: sy runs down",
             Code::Gamma => "write 255 x as it is, without sRGB or gamma encoding",
             Code::RedBlueSwapped => "the file's channels are red, green, blue: look for BGR",
-            Code::WrongColour => "the sphere is (0, 0, 1), the plane (1, 0, 0)",
-            Code::WrongBackground => "the background is (0.5, 0.5, 0.5)",
-            Code::WrongFov => "the field of view is 60 degrees from top to bottom",
+            Code::WrongColour => "in the lab the sphere is (0, 0, 1), the plane (1, 0, 0)",
+            Code::WrongBackground => "the lab's is (0.5, 0.5, 0.5)",
+            Code::WrongFov => "the lab's is 60 degrees from top to bottom",
             Code::OtherScene => {
                 "sphere (0, 0, 3) of radius 1, plane y = -2, light (1, 10, 1), camera (0, 0, -2)"
             }

@@ -65,6 +65,11 @@ fn rounded(x: f64) -> f64 {
     (x * unit).round() / unit
 }
 
+/// A colour in words.
+fn triple([red, green, blue]: [f64; 3]) -> String {
+    format!("({red}, {green}, {blue})")
+}
+
 /// What a fault's knobs say in numbers, and the sentence about them.
 pub(super) fn described(
     code: Code,
@@ -139,14 +144,14 @@ pub(super) fn described(
             let mut words = vec![];
             for index in [0, 1].into_iter().filter(|&i| differs[i]) {
                 let color = recipe.colors[index].map(rounded);
-                words.push(format!("the {} is {color:?}", OBJECTS[index]));
+                words.push(format!("the {} is {}", OBJECTS[index], triple(color)));
                 estimates.push((OBJECTS[index], Estimate::Numbers(color.to_vec())));
             }
             (words.join(" and "), estimates)
         }
         Code::WrongBackground => {
             let color = recipe.background.map(rounded);
-            let words = format!("the background is {color:?}");
+            let words = format!("the background is {}", triple(color));
             (
                 words,
                 vec![("background", Estimate::Numbers(color.to_vec()))],
