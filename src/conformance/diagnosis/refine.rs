@@ -4,6 +4,7 @@ use super::changes::{SAME_POWER, differs};
 use super::evidence::Evidence;
 use super::measure;
 use super::recipe::{Recipe, ShadowRay};
+use super::search::UNLIKELY;
 use super::surface::Object;
 use crate::error::Invalid;
 use std::f64::consts::PI;
@@ -18,9 +19,13 @@ pub(super) fn refined(
         // What was measured in another field of view may mean nothing.
         let mut plain = recipe;
         (plain.power, plain.colors) = (expected.power, expected.colors);
-        let (plain, its_error) = in_its_field_of_view(evidence, plain, expected)?;
-        let (measured, error) = in_its_field_of_view(evidence, recipe, expected)?;
-        recipe = if its_error <= error { plain } else { measured };
+        let (found, error) = in_its_field_of_view(evidence, recipe, expected)?;
+        if plain != recipe {
+            let (plain, its_error) = in_its_field_of_view(evidence, plain, expected)?;
+            recipe = if its_error <= error { plain } else { found };
+        } else {
+            recipe = found;
+        }
     }
     if recipe.power != expected.power && recipe.power != 1.0 / PI {
         search(evidence, &mut recipe, 0.04, 0.0005, |r, step| {
@@ -56,6 +61,9 @@ fn in_its_field_of_view(
     measured_again(evidence, &mut recipe, expected)?;
     // Each row that becomes background or plane makes a small step in the error: look beyond.
     let mut best = (recipe, evidence.error(&recipe)?);
+    if best.1 > UNLIKELY {
+        return Ok(best);
+    }
     for step in -NEAR..=NEAR {
         let mut tried = recipe;
         turn(&mut tried, 0.05 * f64::from(step));

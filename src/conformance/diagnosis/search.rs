@@ -129,7 +129,10 @@ pub(super) fn finely(
     for candidate in best.iter_mut().take(PURSUED).filter(hopeful) {
         // Numbers first: where they are off, no convention is better than another.
         let guessed = refined(evidence, candidate.recipe, expected)?;
-        let mut recipe = in_its_conventions(evidence, guessed)?;
+        let mut recipe = guessed;
+        if evidence.error(&guessed)? <= UNLIKELY {
+            recipe = in_its_conventions(evidence, guessed)?;
+        }
         if recipe != guessed {
             recipe = refined(evidence, recipe, expected)?;
         }
@@ -140,6 +143,9 @@ pub(super) fn finely(
 
 /// Errors above this, in levels, are not those of a recipe whose numbers are a little off.
 pub(super) const HOPELESS: f64 = 24.0;
+
+/// Errors above this, in levels, are not made by another convention.
+pub(super) const UNLIKELY: f64 = 8.0;
 
 /// Candidates whose conventions and numbers are looked for.
 const PURSUED: usize = 4;
