@@ -158,11 +158,15 @@ fn refine_color(evidence: &Evidence, recipe: &mut Recipe, index: usize) -> Resul
         for (component, (seen, mine)) in tried.colors[index].iter_mut().zip(seen.iter().zip(mine)) {
             *component = (*component + seen - mine).max(0.0);
         }
-        for recipe_tried in [tried, without_traces(tried, index)] {
-            let its_error = evidence.error(&recipe_tried)?;
-            if its_error < error {
-                (*recipe, error) = (recipe_tried, its_error);
-            }
+        let its_error = evidence.error(&tried)?;
+        if its_error < error {
+            (*recipe, error) = (tried, its_error);
+        }
+    }
+    for tried in without_traces(*recipe, index) {
+        let its_error = evidence.error(&tried)?;
+        if its_error < error {
+            (*recipe, error) = (tried, its_error);
         }
     }
     search(evidence, recipe, 0.01, 0.001, |r, step| {
@@ -177,17 +181,28 @@ fn refine_color(evidence: &Evidence, recipe: &mut Recipe, index: usize) -> Resul
     Ok(())
 }
 
-/// The recipe with a colour's small components at 0.
-fn without_traces(mut recipe: Recipe, index: usize) -> Recipe {
-    recipe.colors[index] = recipe.colors[index].map(|x| if x < SMALL { 0.0 } else { x });
-    recipe
+/// The recipes with some of a colour's small components at 0: one alone may gain nothing.
+fn without_traces(recipe: Recipe, index: usize) -> Vec<Recipe> {
+    let without = |which: usize| {
+        let mut tried = recipe;
+        for (component, x) in tried.colors[index].iter_mut().enumerate() {
+            if which >> component & 1 == 1 && *x < SMALL {
+                *x = 0.0;
+            }
+        }
+        tried
+    };
+    (1..8)
+        .map(without)
+        .filter(|tried| *tried != recipe)
+        .collect()
 }
 
 /// How often a measured colour is corrected.
 const CORRECTIONS: usize = 5;
 
 /// A component that may be 0, but for what bleeds into it.
-const SMALL: f64 = 0.12;
+const SMALL: f64 = 0.3;
 
 /// Twentieths of a degree that are looked at to each side.
 const NEAR: i32 = 12;
