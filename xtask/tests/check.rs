@@ -39,11 +39,16 @@ fn exit_codes_json_table_and_annotation() {
     let at = |name: &str| directory.path().join(name);
     let right = Naive::figure("3c", 120, 80);
     Format::Png.write(&right, &at("right.png"));
-    let wrong = Naive {
-        shadows: false,
-        ..right
-    };
-    Format::Png.write(&wrong, &at("wrong.png"));
+    let faults = naive::faults(120, 80);
+    let wrong = faults.iter().find(|(code, ..)| *code == "NO_SHADOW");
+    let (.., wrong) = wrong.expect("a fault");
+    Format::Png.write(wrong, &at("wrong.png"));
+    for format in Format::ALL {
+        format.write(
+            &right,
+            &at(&format!("{}.jpg", format.name().replace(':', "-"))),
+        );
+    }
     let status = |arguments: &[&str]| {
         let output = run(arguments, directory.path());
         (
@@ -87,10 +92,8 @@ fn exit_codes_json_table_and_annotation() {
     assert!(xtask::picture_file::read(&at("m.png")).is_ok());
     let (code, text) = status(&[".", "--figure", "3c"]);
     assert_eq!(code, Some(1), "{text}");
-    assert!(
-        text.contains("NO_SHADOW") && text.contains("conforms"),
-        "{text}"
-    );
+    assert_eq!(text.matches("conforms").count(), 8, "{text}");
+    assert!(text.contains("NO_SHADOW"), "{text}");
 }
 
 /// Photographs, noise, text, drawings: nothing explains them.

@@ -15,7 +15,7 @@ mod support {
 
 use naive::Naive;
 use ombrage::Figure;
-use ombrage::conformance::diagnosis::{Diagnosis, Verdict};
+use ombrage::conformance::diagnosis::{Code, Diagnosis, Verdict};
 use support::format::Format;
 use tempfile::TempDir;
 use xtask::{check, parallel};
@@ -67,7 +67,7 @@ impl Found {
         let findings = diagnosis.findings.iter();
         Self {
             codes: findings
-                .map(|finding| named(finding.code.name(), finding.or.map(|or| or.name())))
+                .map(|finding| named(finding.code.name(), finding.or.map(Code::name)))
                 .collect(),
             verdict: diagnosis.verdict,
             margin: diagnosis.margin.share(),
@@ -205,7 +205,12 @@ fn right_pictures_conform_in_every_convention_and_format() {
     let mut jobs = vec![];
     for figure in ["1", "2a", "2b", "3a", "3c"] {
         for (words, naive) in variants::conventions(figure, 240, 160) {
-            jobs.extend(Format::ALL.map(|format| Job {
+            // JPEG makes something else of the noise of one random ray a pixel.
+            let formats = match words.starts_with("one random") {
+                true => &Format::ALL[..1],
+                false => &Format::ALL[..],
+            };
+            jobs.extend(formats.iter().map(|&format| Job {
                 codes: vec![],
                 figure,
                 naive,
