@@ -127,7 +127,7 @@ fn every_fault_is_named_alone_in_every_format() {
     let sizes: &[(u32, u32)] = if is_full() {
         &[(600, 400), (320, 213), (1280, 800)]
     } else {
-        &[(240, 160)]
+        &[(320, 213)]
     };
     let faults = naive::faults(1, 1).len();
     let mut jobs = vec![];
