@@ -11,7 +11,7 @@ use ombrage::{Figure, Picture, Size};
 
 fn picture(naive: &Naive) -> Picture {
     let size = Size::new(naive.width, naive.height).expect("a size");
-    Picture::new(size, naive.draw()).expect("three bytes a pixel")
+    Picture::new(size, &naive.draw()).expect("three bytes a pixel")
 }
 
 fn judge(naive: &Naive, figure: &str) -> Diagnosis {

@@ -105,7 +105,7 @@ fn other_peoples_pictures_are_unknown() {
     let numbered: Vec<_> = pictures.iter().enumerate().collect();
     let verdicts = parallel::map(&numbered, |(number, (name, pixels))| {
         let path = directory.path().join(name);
-        write_png(150, 100, pixels.clone(), &path);
+        write_png(150, 100, pixels, &path);
         let figure = figures[number % figures.len()];
         let (_, found) = check::judge(&path, Figure::named(figure).expect("a figure"))?;
         Ok((name, figure, found))
@@ -186,7 +186,7 @@ fn bad_input_is_named_in_a_line() {
     fs::write(at("empty.png"), "").expect("a file");
     fs::write(at("huge.png"), png_header(100_000, 100_000)).expect("a file");
     fs::write(at("moving.gif"), b"GIF89a\x01\0\x01\0").expect("a file");
-    write_png(1, 1, vec![1, 2, 3], &at("dot.png"));
+    write_png(1, 1, &[1, 2, 3], &at("dot.png"));
     fs::create_dir(at("none")).expect("a directory");
     let cases: [(&[&str], &str); 10] = [
         (&["cut.png", "--figure", "3c"], "cut.png"),

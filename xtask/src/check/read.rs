@@ -74,7 +74,7 @@ pub fn read(path: &Path) -> Result<Submission> {
     check_size(size).map_err(|invalid| failed(&invalid))?;
     remarks.extend(remarks_on(decoder.color_type()));
     let image = DynamicImage::from_decoder(decoder).map_err(|error| failed(&error))?;
-    let picture = Picture::new(size, image.into_rgb8().into_raw())?;
+    let picture = Picture::new(size, &image.into_rgb8())?;
     let (format, loss) = match format {
         ImageFormat::Png => ("png", None),
         ImageFormat::Bmp => ("bmp", None),

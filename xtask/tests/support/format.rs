@@ -37,7 +37,7 @@ impl Format {
     pub fn write(self, naive: &Naive, path: &Path) {
         let (width, height, pixels) = (naive.width, naive.height, naive.draw());
         match self {
-            Format::Png => write_png(width, height, pixels, path),
+            Format::Png => write_png(width, height, &pixels, path),
             Format::Jpeg(quality, halved) => {
                 let mut encoder = Encoder::new_file(path, quality).expect("a file");
                 encoder.set_sampling_factor(if halved {
@@ -54,7 +54,7 @@ impl Format {
 }
 
 /// Writes three bytes a pixel as PNG.
-pub fn write_png(width: u32, height: u32, pixels: Vec<u8>, path: &Path) {
+pub fn write_png(width: u32, height: u32, pixels: &[u8], path: &Path) {
     let size = Size::new(width, height).expect("a size");
     let picture = Picture::new(size, pixels).expect("three bytes a pixel");
     let file = fs::File::create(path).expect("a file");
