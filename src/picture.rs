@@ -125,14 +125,8 @@ impl Picture {
         self.pixels.get(place).copied()
     }
 
-    /// A picture whose pixels are known to be as many as its size says.
-    pub(crate) fn from_rendering(size: Size, pixels: Vec<[u8; 3]>) -> Self {
-        debug_assert_eq!(pixels.len(), size.pixels());
-        Self { size, pixels }
-    }
-
-    /// Its pixels to be overwritten, row-major; they must stay as many.
-    pub(crate) fn pixels_mut(&mut self) -> &mut Vec<[u8; 3]> {
+    /// Its pixels to be overwritten, row-major.
+    pub(crate) fn pixels_mut(&mut self) -> &mut [[u8; 3]] {
         &mut self.pixels
     }
 

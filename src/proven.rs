@@ -193,11 +193,10 @@ impl Engine {
         let climbed = Mutex::new(vec![]);
         let width = size.width() as usize;
         let pixels = picture.pixels_mut();
-        self.share(size, 0..size.height(), [0; 3], pixels, |rows, pixels| {
+        self.share(size, 0..size.height(), pixels, |rows, pixels| {
             let mut open = vec![];
             let (first, count) = (rows.start, rows.len() * width);
             if scene.lights().len() > MANY_LIGHTS {
-                pixels.resize(pixels.len() + count, [0; 3]);
                 open.extend(0..count);
             } else {
                 let rows = Rows {

@@ -39,8 +39,12 @@ static THREADS: LazyLock<usize> =
 /// Pixels of the lab's scene that are worth another thread, which costs about 0.1 ms to begin.
 const PIXELS_PER_THREAD: usize = 1 << 18;
 
-/// Rows that a thread takes at a time.
-const ROWS_AT_A_TIME: usize = 8;
+/// In how many parts a thread's share is taken: many, since rows differ in work, but no more, since
+/// each part begins by placing its columns.
+const PARTS_PER_THREAD: usize = 32;
+
+/// Rows that a thread takes at least at a time.
+const FEWEST_ROWS: usize = 8;
 
 impl Default for Engine {
     /// The best level, and as many threads as the machine and the picture's size are worth.
@@ -79,7 +83,9 @@ impl Engine {
 
     /// Renders to bytes, like [`render`].
     pub fn render<S: Scalar>(self, chain: &impl Chain<S>, size: Size, film: Film) -> Picture {
-        Picture::from_rendering(size, self.render_rows(chain, size, film, 0..size.height()))
+        let mut picture = Picture::black(size);
+        self.render_into(chain, film, &mut picture);
+        picture
     }
 
     /// Renders over a picture, at its size: frame after frame in the same memory. New memory for a
@@ -88,7 +94,7 @@ impl Engine {
         let size = picture.size();
         let frame = Frame::new(chain, size);
         let pixels = picture.pixels_mut();
-        self.share(size, 0..size.height(), [0; 3], pixels, |rows, pixels| {
+        self.share(size, 0..size.height(), pixels, |rows, pixels| {
             S::draw(&frame, self.level, film, rows, pixels);
         });
     }
@@ -102,8 +108,8 @@ impl Engine {
         rows: Range<u32>,
     ) -> Vec<[u8; 3]> {
         let frame = Frame::new(chain, size);
-        let mut pixels = vec![];
-        self.share(size, rows, [0; 3], &mut pixels, |rows, pixels| {
+        let mut pixels = vec![[0; 3]; rows.len() * size.width() as usize];
+        self.share(size, rows, &mut pixels, |rows, pixels| {
             S::draw(&frame, self.level, film, rows, pixels);
         });
         pixels
@@ -112,52 +118,35 @@ impl Engine {
     /// Renders to linear radiance, like [`render_radiance`].
     pub fn render_radiance<S: Scalar>(self, chain: &impl Chain<S>, size: Size) -> Vec<S::Vector> {
         let frame = Frame::new(chain, size);
-        let blank = S::Vector::constant((), [0.0; 3]);
-        let mut pixels = vec![];
-        self.share(
-            size,
-            0..size.height(),
-            blank,
-            &mut pixels,
-            |rows, pixels| {
-                S::expose(&frame, self.level, rows, pixels);
-            },
-        );
+        let mut pixels = vec![S::Vector::constant((), [0.0; 3]); size.pixels()];
+        self.share(size, 0..size.height(), &mut pixels, |rows, pixels| {
+            S::expose(&frame, self.level, rows, pixels);
+        });
         pixels
     }
 
-    /// Replaces `pixels` by rows of a picture, a few at a time on each thread: `draw(rows, pixels)`
-    /// appends theirs.
-    pub(crate) fn share<P: Copy + Send>(
+    /// Draws rows of a picture, a part of them at a time on each thread: `draw(rows, pixels)` writes
+    /// theirs.
+    pub(crate) fn share<P: Send>(
         self,
         size: Size,
         rows: Range<u32>,
-        blank: P,
-        pixels: &mut Vec<P>,
-        draw: impl Fn(Range<u32>, &mut Vec<P>) + Sync,
+        pixels: &mut [P],
+        draw: impl Fn(Range<u32>, &mut [P]) + Sync,
     ) {
         let width = size.width() as usize;
-        let count = rows.len() * width;
         let threads = self.threads(size);
         if threads == 1 {
-            // Appended to, not overwritten: to clear the pixels first takes a tenth of the time.
-            pixels.clear();
-            pixels.reserve_exact(count);
             draw(rows, pixels);
             return;
         }
-        if pixels.len() != count {
-            *pixels = vec![blank; count];
-        }
-        let parts = pixels.chunks_mut(ROWS_AT_A_TIME * width);
-        let parts = Mutex::new(rows.step_by(ROWS_AT_A_TIME).zip(parts));
+        let rows_at_a_time = (rows.len() / (threads * PARTS_PER_THREAD)).max(FEWEST_ROWS);
+        let parts = pixels.chunks_mut(rows_at_a_time * width);
+        let parts = Mutex::new(rows.step_by(rows_at_a_time).zip(parts));
         let next = || parts.lock().unwrap_or_else(PoisonError::into_inner).next();
         let work = || {
-            let mut drawn = Vec::with_capacity(ROWS_AT_A_TIME * width);
             while let Some((first, part)) = next() {
-                drawn.clear();
-                draw(first..first + (part.len() / width) as u32, &mut drawn);
-                part.copy_from_slice(&drawn);
+                draw(first..first + (part.len() / width) as u32, part);
             }
         };
         thread::scope(|scope| {

@@ -156,9 +156,8 @@ pub(crate) fn visit<S: Scalar>(
         integrator,
     };
     let frame = Frame::new(&chain, size);
-    let mut radiance = Vec::with_capacity(size.width() as usize);
+    let mut radiance = vec![scene.background(); size.width() as usize];
     for y in 0..size.height() {
-        radiance.clear();
         S::expose(&frame, Level::best(), y..y + 1, &mut radiance);
         let sy = LabChain::coordinate(y, size.height());
         for (x, &radiance) in (0..).zip(&radiance) {

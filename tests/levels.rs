@@ -97,7 +97,7 @@ impl Shot {
             "two packets of {name} at {level}"
         );
 
-        let mut found = vec![];
+        let mut found = vec![F::Vector::constant((), [0.0; 3]); size.pixels()];
         let frame = Frame::new(chain, size);
         frame.rows::<Packet<L, F>, _>(token, &Linear, 0..size.height(), &mut found);
         assert_eq!(

@@ -12,8 +12,8 @@ pub(super) struct Rows<'a> {
     pub prover: &'a Prover<f32>,
     pub size: Size,
     pub rows: Range<u32>,
-    /// Empty before, and the rows' pixels after.
-    pub pixels: &'a mut Vec<[u8; 3]>,
+    /// Gets the rows' pixels.
+    pub pixels: &'a mut [[u8; 3]],
     /// Gets the indices of the pixels that are not proven, in the order of `pixels`.
     pub open: &'a mut Vec<usize>,
 }
@@ -41,9 +41,9 @@ impl Job<f32> for Rows<'_> {
         let blank = blank.map(|level| R::splat(token, f32::from(level)));
         let [proven, open] = [0.0, 1.0].map(|flag| R::splat(token, flag));
         let mut buffer = vec![[0; 3]; packets * R::LANES + R::SPILL];
-        for row in self.rows {
+        let targets = self.pixels.chunks_exact_mut(width);
+        for ((row, target), start_of_row) in self.rows.zip(targets).zip((0..).step_by(width)) {
             let down = coordinate::<Number<f32>>(row, self.size.height());
-            let start_of_row = self.pixels.len();
             let down = chain.down(Number::<R>::splat(token, down));
             for (&across, start) in columns.iter().zip((0..).step_by(R::LANES)) {
                 let mut levels = blank;
@@ -62,7 +62,7 @@ impl Job<f32> for Rows<'_> {
                 }
                 R::store_rgb(levels, buffer[start..].as_flattened_mut());
             }
-            self.pixels.extend_from_slice(&buffer[..width]);
+            target.copy_from_slice(&buffer[..width]);
         }
     }
 }

@@ -96,14 +96,15 @@ impl<'a, S: Scalar> Frame<'a, S> {
         }
     }
 
-    /// Computes rows, `R::LANES` pixels at a time, and appends them to `pixels`.
+    /// Computes rows, `R::LANES` pixels at a time, and writes them to `pixels`, row-major,
+    /// of which there must be as many.
     #[inline(always)]
     pub fn rows<R: Lanes<Scalar = S>, D: Develop<S>>(
         &self,
         token: R::Token,
         develop: &D,
         rows: Range<u32>,
-        pixels: &mut Vec<D::Pixel>,
+        pixels: &mut [D::Pixel],
     ) {
         match self.chain {
             ChainKind::Lab(chain) => {
@@ -126,7 +127,7 @@ impl<'a, S: Scalar> Frame<'a, S> {
         token: R::Token,
         develop: &D,
         rows: Range<u32>,
-        pixels: &mut Vec<D::Pixel>,
+        pixels: &mut [D::Pixel],
     ) {
         let width = self.size.width() as usize;
         let mut buffer = vec![D::blank(); width.next_multiple_of(R::LANES) + D::SPILL];
@@ -137,19 +138,19 @@ impl<'a, S: Scalar> Frame<'a, S> {
         }
         let background = R::Vector::splat(token, &chain.background());
         let blank = develop.develop::<R>(background);
-        for row in rows {
+        for (row, target) in rows.zip(pixels.chunks_exact_mut(width)) {
             let down = chain.down(R::splat(token, C::coordinate(row, self.size.height())));
             for (&across, start) in columns.iter().zip((0..).step_by(R::LANES)) {
-                let target = &mut buffer[start..][..R::LANES + D::SPILL];
+                let packet = &mut buffer[start..][..R::LANES + D::SPILL];
                 let components = match chain.reflected::<R>(across + down) {
                     None => blank,
                     Some((mask, reflected)) => {
                         develop.develop::<R>(R::Vector::select(mask, reflected, background))
                     }
                 };
-                D::store::<R>(components, target);
+                D::store::<R>(components, packet);
             }
-            pixels.extend_from_slice(&buffer[..width]);
+            target.copy_from_slice(&buffer[..width]);
         }
     }
 }
@@ -157,23 +158,19 @@ impl<'a, S: Scalar> Frame<'a, S> {
 /// Numbers that pictures can be drawn in. Not generic over chain and film, so that the loops over
 /// packets are compiled here, once, and not in every crate that draws.
 pub trait Draw: Sized {
-    /// Computes rows to bytes, and appends them to `pixels`.
+    /// Computes rows to bytes, and writes them to `pixels`, row-major, of which there must be as many.
     fn draw(
         frame: &Frame<'_, Self>,
         level: Level,
         film: Film,
         rows: Range<u32>,
-        pixels: &mut Vec<[u8; 3]>,
+        pixels: &mut [[u8; 3]],
     ) where
         Self: Scalar;
 
     /// The same to linear radiance.
-    fn expose(
-        frame: &Frame<'_, Self>,
-        level: Level,
-        rows: Range<u32>,
-        pixels: &mut Vec<Self::Vector>,
-    ) where
+    fn expose(frame: &Frame<'_, Self>, level: Level, rows: Range<u32>, pixels: &mut [Self::Vector])
+    where
         Self: Scalar;
 }
 
@@ -185,7 +182,7 @@ macro_rules! draw {
                 level: Level,
                 film: Film,
                 rows: Range<u32>,
-                pixels: &mut Vec<[u8; 3]>,
+                pixels: &mut [[u8; 3]],
             ) {
                 $in_lanes(
                     level,
@@ -202,7 +199,7 @@ macro_rules! draw {
                 frame: &Frame<'_, Self>,
                 level: Level,
                 rows: Range<u32>,
-                pixels: &mut Vec<<Self as Real>::Vector>,
+                pixels: &mut [<Self as Real>::Vector],
             ) {
                 $in_lanes(
                     level,
@@ -232,7 +229,7 @@ struct Rows<'a, S: Scalar, D: Develop<S>> {
     frame: &'a Frame<'a, S>,
     develop: &'a D,
     rows: Range<u32>,
-    pixels: &'a mut Vec<D::Pixel>,
+    pixels: &'a mut [D::Pixel],
 }
 
 impl<S: Scalar, D: Develop<S>> Job<S> for Rows<'_, S, D> {
