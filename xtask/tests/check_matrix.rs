@@ -103,7 +103,7 @@ fn judge(jobs: &[Job]) -> Vec<Found> {
 
 /// One row of the table of faults: the smallest margin over the sizes in each format, or what was
 /// said instead.
-fn row(jobs: &[(Job, Found)], formats: &[Format]) -> String {
+fn row(jobs: &[&(Job, Found)], formats: &[Format]) -> String {
     let cell = |format: &Format| {
         let cells = jobs.iter().filter(|(job, _)| job.format == *format);
         let mut least = f64::INFINITY;
@@ -117,7 +117,7 @@ fn row(jobs: &[(Job, Found)], formats: &[Format]) -> String {
         format!("{least:.2}")
     };
     let cells: Vec<String> = formats.iter().map(cell).collect();
-    let (job, _) = &jobs[0];
+    let (job, _) = jobs[0];
     let code = job.codes[0];
     format!("| `{code}` | {} | {} |", job.figure, cells.join(" | "))
 }
@@ -149,7 +149,7 @@ fn every_fault_is_named_alone_in_every_format() {
         }
     }
     if !is_full() {
-        jobs.truncate(faults);
+        jobs = jobs.into_iter().step_by(5).collect();
     }
     let found = judge(&jobs);
     let missed: Vec<String> = missed(&jobs, &found);
@@ -163,18 +163,8 @@ fn every_fault_is_named_alone_in_every_format() {
             "---|".repeat(7)
         );
         for number in 0..faults {
-            let (its, _): (Vec<_>, Vec<_>) = judged
-                .iter()
-                .map(|(job, found)| {
-                    (
-                        job.clone(),
-                        Found {
-                            codes: found.codes.clone(),
-                            ..*found
-                        },
-                    )
-                })
-                .partition(|(job, _)| job.words == number.to_string());
+            let its = |(job, _): &&(Job, Found)| job.words == number.to_string();
+            let its: Vec<&(Job, Found)> = judged.iter().filter(its).collect();
             println!("{}", row(&its, &Format::ALL));
         }
         println!(

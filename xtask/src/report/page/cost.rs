@@ -36,7 +36,7 @@ pub fn cost(data: &Data, _: &Pictures) -> Markup {
             }))
             (figure(&speed::spheres(data).markup(), &html! {
                 strong { "Time by number of spheres. " } "Every sphere is asked, so time grows with their \
-                number; a tree over the spheres" (pays(data)) "."
+                number; a tree over the spheres" (pays(data)) "." (many_spheres(data))
             }))
         }
         (table("Figure 3(c), 600 x 400, one thread: every way and level, with the bytes it gets wrong",
@@ -98,6 +98,31 @@ fn pays(data: &Data) -> String {
     from.map_or(" does not pay here".into(), |from| {
         format!(" pays from {} on", whole(from))
     })
+}
+
+/// What the kit's chain costs against the lab's where there are most spheres, in packets of `f32`.
+fn many_spheres(data: &Data) -> String {
+    let rows = || data.bench.growth_with_spheres.iter();
+    let most = rows().map(|row| row.spheres).max();
+    let best = |chain: &str| {
+        let fits = |row: &&Row| {
+            Some(row.spheres) == most
+                && row.chain == chain
+                && row.float == "f32"
+                && row.query.as_deref() != Some("nearest")
+        };
+        let times = rows().filter(fits).map(|row| row.ns_per_pixel);
+        times.min_by(f64::total_cmp)
+    };
+    match (most, best("relative"), best("lab")) {
+        (Some(most), Some(own), Some(lab)) => format!(
+            " With {} of them the kit's chain takes {:.1} times as long as the lab's in packets, which gets \
+             bytes wrong there.",
+            whole(most),
+            own / lab
+        ),
+        _ => String::new(),
+    }
 }
 
 fn ways(data: &Data) -> Vec<Vec<Markup>> {
