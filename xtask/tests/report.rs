@@ -183,7 +183,7 @@ fn data_that_are_cut_short_or_of_another_version_are_refused() {
         &["version 4000000000", &format!("version {VERSION}")],
     );
     is_refused(
-        "{\"version\": 1, \"run\": 3}",
+        &format!("{{\"version\": {VERSION}, \"run\": 3}}"),
         &["no data of a report", "line 1"],
     );
     is_refused("<html>", &["no data of a report"]);
