@@ -101,12 +101,12 @@ fn factored(mut recipe: Recipe, expected: &Recipe) -> Recipe {
     }
     let exchanged = |[red, green, blue]: [f64; 3]| [blue, green, red];
     let is_exchanged =
-        (0..2).any(|i| factor(recipe.colors[i], exchanged(expected.colors[i])).is_some());
+        (0..2).any(|i| factor(recipe.colors[i], exchanged(expected.colors[i]), 0).is_some());
     if is_exchanged && recipe.swapped == expected.swapped {
         recipe.swapped = !recipe.swapped;
         recipe.colors = recipe.colors.map(exchanged);
     }
-    let factors = [0, 1].map(|i| factor(recipe.colors[i], expected.colors[i]));
+    let factors = [0, 1].map(|i| factor(recipe.colors[i], expected.colors[i], 0));
     if let (Some(power), true) = (factors[0].or(factors[1]), recipe.power == expected.power) {
         recipe.power *= power;
         recipe.colors = recipe.colors.map(|color| color.map(|x| x / power));
@@ -114,11 +114,13 @@ fn factored(mut recipe: Recipe, expected: &Recipe) -> Recipe {
     recipe
 }
 
-/// The factor between two colours of the same hue, give or take noise.
-pub(super) fn factor(color: [f64; 3], of: [f64; 3]) -> Option<f64> {
+/// The factor between two colours of the same hue, give or take noise and what a loss of this
+/// tolerance does to the hue.
+pub(super) fn factor(color: [f64; 3], of: [f64; 3], tolerance: u8) -> Option<f64> {
     let brightest = (0..3).max_by(|&a, &b| of[a].total_cmp(&of[b]))?;
     let factor = color[brightest] / of[brightest];
-    let same = (0..3).all(|c| (color[c] - factor * of[c]).abs() <= 0.02 * factor);
+    let noise = 0.02 + 0.005 * f64::from(tolerance);
+    let same = (0..3).all(|c| (color[c] - factor * of[c]).abs() <= noise * factor);
     (same && factor > 0.0 && factor.is_finite()).then_some(factor)
 }
 

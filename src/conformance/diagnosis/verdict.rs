@@ -92,7 +92,8 @@ fn with_acne(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<
             (darkened.power, darkened.colors[index]) = (bright.power, bright.colors[index]);
             // A darker colour of the same hue would not be speckled.
             let is_darker = recipe.power == expected.power
-                && factor(recipe.colors[index], expected.colors[index]).is_some_and(|x| x < 1.0);
+                && factor(recipe.colors[index], expected.colors[index], tolerance)
+                    .is_some_and(|x| x < 1.0);
             if is_darker || whole.error(&darkened)? <= whole.error(&recipe)? {
                 recipe = darkened;
                 continue;
