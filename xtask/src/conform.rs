@@ -7,6 +7,8 @@ mod report;
 
 use crate::error::{Error, Result};
 use crate::{output, progress};
+use child::Child;
+use indicatif::ProgressBar;
 use interview::ask;
 use ombrage::Quality;
 use ombrage::conformance::{Case, Kernel, vectors};
@@ -97,10 +99,14 @@ fn seconds(text: &str) -> std::result::Result<Duration, String> {
 pub fn run(args: &Args) -> Result<ExitCode> {
     let cases = chosen(args)?;
     let bar = progress::bar(cases.len() as u64, true);
-    let interview = ask(&args.program, &cases, args.timeout, &bar);
+    let ask = |program: &[OsString]| {
+        let start = |input| Child::start(program, input);
+        ask(start, &cases, args.timeout, &bar)
+    };
+    let interview = ask(&args.program);
     bar.finish_and_clear();
     let interview = interview?;
-    let own = own_program().and_then(|own| ask(&own, &cases, args.timeout, &bar).ok());
+    let own = own_program().and_then(|own| ask(&own).ok());
     let own = own.map(|own| own.times).unwrap_or_default();
     let report = Report::new(&cases, &interview, args.quality);
     let text = if args.json {
@@ -110,6 +116,20 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     };
     output::print(&text)?;
     Ok(ExitCode::from(u8::from(report.has_faults())))
+}
+
+/// What is said of a program of which each process prints one of these outputs, and those that are
+/// started after them print nothing: as text and as JSON.
+///
+/// # Errors
+/// None that can be foreseen: no program is started.
+pub fn judge(cases: &[Case], outputs: &[&[u8]], quality: Option<Quality>) -> Result<[String; 2]> {
+    let mut outputs = outputs.iter().copied();
+    let start = |_| Ok(outputs.next().unwrap_or_default());
+    let interview = ask(start, cases, Duration::from_secs(1), &ProgressBar::hidden())?;
+    let report = Report::new(cases, &interview, quality);
+    let text = report.text(&interview.times, &interview.times);
+    Ok([text, report.json()?])
 }
 
 /// The cases that the options choose, in the order of the vectors.

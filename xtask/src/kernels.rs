@@ -64,8 +64,15 @@ pub fn run(args: &Args) -> Result<ExitCode> {
     }
 }
 
-/// Answers every line; whether each was a request.
-fn serve(kernels: &Kernels, mut input: impl BufRead, mut output: impl Write) -> io::Result<bool> {
+/// Answers every line in its place; whether each was a request.
+///
+/// # Errors
+/// If a line cannot be read or an answer not be written.
+pub fn serve(
+    kernels: &Kernels,
+    mut input: impl BufRead,
+    mut output: impl Write,
+) -> io::Result<bool> {
     let mut all = true;
     let mut line = vec![];
     for number in 1u64.. {

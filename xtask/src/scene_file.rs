@@ -96,7 +96,15 @@ const LIGHT: Kind = Kind {
 /// many, or a value is not what its key takes. The message names the file, the line, the key, and
 /// what to write.
 pub fn load(path: &Path) -> Result<SceneFile> {
-    let source = Source::read(path)?;
+    parse(path, source::read(path)?)
+}
+
+/// The scene file with these bytes; `path` is for messages.
+///
+/// # Errors
+/// As [`load`], but for reading the file.
+pub fn parse(path: &Path, bytes: Vec<u8>) -> Result<SceneFile> {
+    let source = Source::new(path, bytes)?;
     let document = source.parse()?;
     let file = Section::whole(&source, &document, &FILE)?;
     let name = file.text("name")?;

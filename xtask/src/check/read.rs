@@ -29,14 +29,13 @@ const LARGEST_FILE: u64 = 1 << 28;
 /// The memory that decoding may take, in bytes.
 const MEMORY: u64 = 1 << 29;
 
-/// Reads a picture. Its size is known, and checked, before memory is taken for its pixels.
+/// Reads a picture.
 ///
 /// # Errors
 /// If the file cannot be read, is no picture of the known formats, is animated, damaged, too small
 /// or too large.
 pub fn read(path: &Path) -> Result<Submission> {
-    let name = path.display();
-    let failed = |why: &dyn Display| Error::new(format!("cannot read {name}: {why}"));
+    let failed = |why: &dyn Display| cannot_read(path, why);
     let about = fs::metadata(path).map_err(|error| failed(&error))?;
     if !about.is_file() {
         return Err(failed(&"it is not a file"));
@@ -47,7 +46,21 @@ pub fn read(path: &Path) -> Result<Submission> {
         ));
     }
     let bytes = fs::read(path).map_err(|error| failed(&error))?;
-    let format = format_of(&bytes).map_err(|why| failed(&why))?;
+    decode(path, &bytes)
+}
+
+fn cannot_read(path: &Path, why: &dyn Display) -> Error {
+    Error::new(format!("cannot read {}: {why}", path.display()))
+}
+
+/// Decodes the bytes of a picture file; `path` is for messages. The size is known, and checked,
+/// before memory is taken for the pixels.
+///
+/// # Errors
+/// As [`read`], but for reading the file.
+pub fn decode(path: &Path, bytes: &[u8]) -> Result<Submission> {
+    let failed = |why: &dyn Display| cannot_read(path, why);
+    let format = format_of(bytes).map_err(|why| failed(&why))?;
     let mut remarks = vec![];
     if format == ImageFormat::Png {
         // Before the decoder, which may miss the pixels first.
@@ -56,7 +69,7 @@ pub fn read(path: &Path) -> Result<Submission> {
             let size = Size::new(width, height).map_err(|invalid| failed(&invalid))?;
             check_size(size).map_err(|invalid| failed(&invalid))?;
         }
-        let decoder = PngDecoder::new(Cursor::new(&bytes)).map_err(|error| failed(&error))?;
+        let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(|error| failed(&error))?;
         if decoder.is_apng().map_err(|error| failed(&error))? {
             return Err(failed(&"it is animated; save one of its pictures"));
         }
@@ -64,7 +77,7 @@ pub fn read(path: &Path) -> Result<Submission> {
             remarks.push("it has a palette: its colours were looked up");
         }
     }
-    let mut reader = ImageReader::with_format(Cursor::new(&bytes), format);
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     let mut limits = Limits::default();
     limits.max_alloc = Some(MEMORY);
     reader.limits(limits);
@@ -80,7 +93,7 @@ pub fn read(path: &Path) -> Result<Submission> {
         ImageFormat::Bmp => ("bmp", None),
         ImageFormat::Pnm => ("pnm", None),
         _ => {
-            let loss = Jpeg::of(&bytes).ok_or_else(|| {
+            let loss = Jpeg::of(bytes).ok_or_else(|| {
                 failed(&"its JPEG headers are not those of a grey or a colour picture")
             })?;
             ("jpeg", Some(loss))

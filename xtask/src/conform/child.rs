@@ -4,7 +4,7 @@
 use crate::error::{Error, Result};
 use crate::lines::read_line;
 use std::ffi::OsString;
-use std::io::{BufReader, ErrorKind, Read, Write};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::process::{self, Command, ExitStatus, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, MutexGuard, Once, PoisonError};
@@ -23,7 +23,7 @@ const WAITING: usize = 64;
 /// The last bytes of standard error that are kept.
 const TAIL: usize = 1 << 12;
 
-/// What a child printed, and when.
+/// What a program printed, and when.
 #[derive(Debug)]
 pub enum Printed {
     /// A line, without its end.
@@ -36,6 +36,39 @@ pub enum Printed {
     End,
     /// Nothing in the time given.
     Nothing,
+}
+
+impl Printed {
+    /// The next line of an output.
+    pub fn next(output: &mut impl BufRead) -> Self {
+        let mut line = vec![];
+        match read_line(output, &mut line, LONGEST, ENDLESS) {
+            Ok(Some(length)) if length > ENDLESS => Self::Endless,
+            Ok(Some(length)) if length > LONGEST => Self::LongLine,
+            Ok(Some(_)) => Self::Line(line, Instant::now()),
+            Ok(None) | Err(_) => Self::End,
+        }
+    }
+}
+
+/// Something that prints answers.
+pub trait Program {
+    /// What it prints next, until a deadline.
+    fn next(&mut self, deadline: Instant) -> Printed;
+
+    /// How it ended, if it does before the deadline; then the last line it wrote to standard error.
+    fn end(&mut self, deadline: Instant) -> (Option<ExitStatus>, String);
+}
+
+/// Output that is at hand.
+impl Program for &[u8] {
+    fn next(&mut self, _: Instant) -> Printed {
+        Printed::next(self)
+    }
+
+    fn end(&mut self, _: Instant) -> (Option<ExitStatus>, String) {
+        (None, String::new())
+    }
 }
 
 /// A running child. Dropped, it is killed with all its own children.
@@ -86,9 +119,10 @@ impl Child {
             errors,
         })
     }
+}
 
-    /// What it prints next, until a deadline.
-    pub fn next(&self, deadline: Instant) -> Printed {
+impl Program for Child {
+    fn next(&mut self, deadline: Instant) -> Printed {
         let left = deadline.saturating_duration_since(Instant::now());
         match self.printed.recv_timeout(left) {
             Ok(printed) => printed,
@@ -97,8 +131,7 @@ impl Child {
         }
     }
 
-    /// How it ended, if it does before the deadline; then the last line it wrote to standard error.
-    pub fn end(&mut self, deadline: Instant) -> (Option<ExitStatus>, String) {
+    fn end(&mut self, deadline: Instant) -> (Option<ExitStatus>, String) {
         let status = loop {
             match self.process.try_wait() {
                 Ok(None) if Instant::now() < deadline => thread::sleep(Duration::from_millis(1)),
@@ -137,16 +170,10 @@ fn cannot_run(name: &OsString, error: &std::io::Error) -> Error {
 
 fn read_lines(stdout: impl Read, sender: &SyncSender<Printed>) {
     let mut stdout = BufReader::new(stdout);
-    let mut line = vec![];
-    while let Ok(Some(length)) = read_line(&mut stdout, &mut line, LONGEST, ENDLESS) {
-        let printed = if length > ENDLESS {
-            Printed::Endless
-        } else if length > LONGEST {
-            Printed::LongLine
-        } else {
-            Printed::Line(std::mem::take(&mut line), Instant::now())
-        };
-        if sender.send(printed).is_err() || length > ENDLESS {
+    loop {
+        let printed = Printed::next(&mut stdout);
+        let is_last = matches!(printed, Printed::Endless | Printed::End);
+        if sender.send(printed).is_err() || is_last {
             return;
         }
     }

@@ -5,14 +5,13 @@
 //! to a new process: first one alone, then twice as many each time it goes well. So what is at
 //! fault is known for certain, and costs one case.
 
-use super::child::{Child, Printed};
+use super::child::{Printed, Program};
 use super::notes::Notes;
 use crate::error::Result;
 use indicatif::ProgressBar;
 use ombrage::conformance::{Behaviour, Case, Kernel};
 use serde_json::Value;
 use std::collections::{BTreeMap, HashMap, VecDeque};
-use std::ffi::OsString;
 use std::time::{Duration, Instant};
 
 /// What became of a case.
@@ -53,8 +52,8 @@ enum End {
     Failed(Behaviour, String),
 }
 
-struct Asking<'a> {
-    program: &'a [OsString],
+struct Asking<'a, S> {
+    start: S,
     timeout: Duration,
     cases: &'a [Case],
     outcomes: Vec<Option<Outcome>>,
@@ -63,18 +62,18 @@ struct Asking<'a> {
     bar: &'a ProgressBar,
 }
 
-/// Asks a program all cases; it has `timeout` for each answer.
+/// Asks a program all cases; it has `timeout` for each answer. `start` starts it with an input.
 ///
 /// # Errors
-/// If there is no such program, or it may not run.
-pub fn ask(
-    program: &[OsString],
+/// If it cannot be started.
+pub fn ask<P: Program>(
+    start: impl FnMut(Vec<u8>) -> Result<P>,
     cases: &[Case],
     timeout: Duration,
     bar: &ProgressBar,
 ) -> Result<Interview> {
     let mut asking = Asking {
-        program,
+        start,
         timeout,
         cases,
         outcomes: vec![None; cases.len()],
@@ -93,7 +92,7 @@ pub fn ask(
     })
 }
 
-impl Asking<'_> {
+impl<P: Program, S: FnMut(Vec<u8>) -> Result<P>> Asking<'_, S> {
     fn all(&mut self) -> Result<()> {
         let mut pending: VecDeque<usize> = (0..self.cases.len()).collect();
         let mut window = usize::MAX;
@@ -163,7 +162,7 @@ impl Asking<'_> {
             input.push('\n');
             places.insert(self.cases[case].id(), case);
         }
-        let mut child = Child::start(self.program, input.into_bytes())?;
+        let mut program = (self.start)(input.into_bytes())?;
         let mut deadline = Instant::now() + self.timeout;
         let mut last: Option<Instant> = None;
         let mut open: VecDeque<usize> = batch.iter().copied().collect();
@@ -173,7 +172,7 @@ impl Asking<'_> {
                 let why = "it prints lines without end that are no answers";
                 return Ok(End::Failed(Behaviour::Garbled, why.into()));
             }
-            let (line, when) = match child.next(deadline) {
+            let (line, when) = match program.next(deadline) {
                 Printed::Line(line, when) => (line, when),
                 Printed::LongLine => {
                     rubbish += 1;
@@ -184,7 +183,7 @@ impl Asking<'_> {
                     let why = "it prints a line that does not end";
                     return Ok(End::Failed(Behaviour::Garbled, why.into()));
                 }
-                Printed::End => return Ok(ended(&mut child, deadline)),
+                Printed::End => return Ok(ended(&mut program, deadline)),
                 Printed::Nothing => {
                     let why = format!("no answer in {} s", self.timeout.as_secs_f64());
                     return Ok(End::Failed(Behaviour::Hung, why));
@@ -222,15 +221,15 @@ impl Asking<'_> {
             last = Some(when);
             deadline = Instant::now() + self.timeout;
         }
-        self.linger(&child, &places);
+        self.linger(program, &places);
         Ok(End::Answered)
     }
 
     /// Hears what a program says that has said everything.
-    fn linger(&mut self, child: &Child, places: &HashMap<&str, usize>) {
+    fn linger(&mut self, mut program: P, places: &HashMap<&str, usize>) {
         let deadline = Instant::now() + LINGER.min(self.timeout);
         for _ in 0..RUBBISH {
-            match child.next(deadline) {
+            match program.next(deadline) {
                 Printed::Line(line, _) => match answer(&line) {
                     Some((id, _)) if places.contains_key(id.as_str()) => self.notes.twice(&id),
                     Some((id, _)) => self.notes.unknown(&id),
@@ -244,8 +243,8 @@ impl Asking<'_> {
 }
 
 /// Why a program has left requests without an answer.
-fn ended(child: &mut Child, deadline: Instant) -> End {
-    let (status, error) = child.end(deadline.min(Instant::now() + Duration::from_secs(1)));
+fn ended(program: &mut impl Program, deadline: Instant) -> End {
+    let (status, error) = program.end(deadline.min(Instant::now() + Duration::from_secs(1)));
     let mut why = match status {
         Some(status) => format!("it ended before it had answered ({status})"),
         None => "it closed standard output before it had answered".to_owned(),

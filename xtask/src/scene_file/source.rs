@@ -11,31 +11,39 @@ use toml::de::DeTable;
 /// The largest file that is read: 128 MiB, room for two million spheres.
 const MOST_BYTES: u64 = 128 << 20;
 
-/// A file that was read whole.
+/// Reads all bytes of a file.
+///
+/// # Errors
+/// If it cannot be read or is too large.
+pub fn read(path: &Path) -> Result<Vec<u8>> {
+    let cannot = |error: io::Error| {
+        let advice = "give a scene file, such as tests/scenes/base.toml";
+        Error::new(format!("cannot read {}: {error}; {advice}", path.display()))
+    };
+    let file = File::open(path).map_err(cannot)?;
+    let mut bytes = vec![];
+    let length = file.take(MOST_BYTES + 1).read_to_end(&mut bytes);
+    if length.map_err(cannot)? as u64 > MOST_BYTES {
+        return Err(Error::new(format!(
+            "{} has more than 128 MiB: write a smaller scene",
+            path.display()
+        )));
+    }
+    Ok(bytes)
+}
+
+/// The text of a file, and the path that messages about it name.
 pub struct Source {
     path: PathBuf,
     text: String,
 }
 
 impl Source {
-    /// Reads a file of UTF-8.
+    /// Takes the bytes of a file.
     ///
     /// # Errors
-    /// If it cannot be read, is too large or not UTF-8.
-    pub fn read(path: &Path) -> Result<Self> {
-        let cannot = |error: io::Error| {
-            let advice = "give a scene file, such as tests/scenes/base.toml";
-            Error::new(format!("cannot read {}: {error}; {advice}", path.display()))
-        };
-        let file = File::open(path).map_err(cannot)?;
-        let mut bytes = vec![];
-        let length = file.take(MOST_BYTES + 1).read_to_end(&mut bytes);
-        if length.map_err(cannot)? as u64 > MOST_BYTES {
-            return Err(Error::new(format!(
-                "{} has more than 128 MiB: write a smaller scene",
-                path.display()
-            )));
-        }
+    /// If they are not UTF-8.
+    pub fn new(path: &Path, bytes: Vec<u8>) -> Result<Self> {
         let text = String::from_utf8(bytes).map_err(|error| {
             let place = error.utf8_error().valid_up_to();
             let what = "the text is not UTF-8: save the file as UTF-8";
