@@ -31,14 +31,18 @@ struct Long {
 }
 
 /// docs/testing.md says what they are for.
-const LONG: [Long; 7] = [
+const LONG: [Long; 8] = [
     Long {
         what: "mutation testing (needs cargo-mutants; an hour and more)",
         how: "cargo mutants --config .cargo/mutants.toml -p ombrage --file 'src/**'",
     },
     Long {
-        what: "fuzzing of scene files, protocol lines and pictures (as long as you like)",
+        what: "fuzzing of all that strangers send (as long as you like)",
         how: "PROPTEST_CASES=1000000 cargo test --release -p xtask --test fuzz",
+    },
+    Long {
+        what: "fuzzing that is led by coverage, of one of four targets (needs nightly and cargo-fuzz)",
+        how: "tests/fuzz/run scene_file 3600",
     },
     Long {
         what: "every fault in every format and size, judged (20 minutes)",

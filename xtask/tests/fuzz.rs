@@ -1,21 +1,26 @@
-//! Strangers' input: scene files, protocol lines and pictures, made by a grammar and by mutation.
+//! Strangers' input: scene files, protocol lines, pictures and the output of programs, made by a
+//! grammar and by mutation.
 //!
-//! No input makes the kit panic, hang, or say anything but one line; what is read is drawn in every
-//! way, with the same bytes at every level. `PROPTEST_CASES` sets how many inputs there are.
+//! No input makes the kit panic, hang, or say anything but one line. tests/fuzz has what must hold,
+//! and the seeds; `PROPTEST_CASES` sets how many inputs there are.
 
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+#[path = "../../tests/fuzz/src/lib.rs"]
+mod properties;
 
 mod fuzz {
+    mod adapter_answers;
     mod picture_files;
     mod protocol_lines;
     mod scene_files;
 }
 
-/// The texts of a folder of tests/, sorted by name.
-fn seeds(folder: &str) -> Vec<String> {
+/// The files of a folder of tests/, sorted by name.
+fn files(folder: &str) -> Vec<Vec<u8>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../tests")
         .join(folder);
@@ -24,10 +29,14 @@ fn seeds(folder: &str) -> Vec<String> {
         .map(|entry| entry.expect("an entry").path())
         .collect();
     paths.sort();
-    let texts = paths
-        .iter()
-        .map(|path| fs::read_to_string(path).expect("a text"));
-    texts.collect()
+    let bytes = |path: &PathBuf| fs::read(path).expect("a file");
+    paths.iter().map(bytes).collect()
+}
+
+/// The same, of texts.
+fn texts(folder: &str) -> Vec<String> {
+    let text = |bytes| String::from_utf8(bytes).expect("a text");
+    files(folder).into_iter().map(text).collect()
 }
 
 /// `PROPTEST_CASES`, or so many.

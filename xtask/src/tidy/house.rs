@@ -89,9 +89,14 @@ impl House {
             ))
         };
         if place.is_dir() {
+            // What git ignores here is not the project's.
+            let ignored = fs::read_to_string(place.join(".gitignore")).unwrap_or_default();
             for entry in fs::read_dir(&place).map_err(failed)? {
                 let name = entry.map_err(failed)?.file_name();
-                self.enter(&format!("{path}/{}", name.to_string_lossy()))?;
+                let name = name.to_string_lossy();
+                if ignored.lines().all(|line| line != format!("/{name}")) {
+                    self.enter(&format!("{path}/{name}"))?;
+                }
             }
         } else {
             let ending = Path::new(path)

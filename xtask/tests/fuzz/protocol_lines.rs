@@ -1,19 +1,17 @@
 //! Lines of the kernel protocol: each is answered in its place.
 
-use crate::{cases, changed, changes, seeds};
+use crate::properties::protocol_line;
+use crate::{cases, changed, changes, texts};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use serde_json::Value;
-use std::io::Write;
-use std::process::{Command, Stdio};
 use std::sync::LazyLock;
-use std::thread;
 
 /// The requests of tests/vectors, without their truth.
 static REQUESTS: LazyLock<Vec<Value>> = LazyLock::new(|| {
-    let files = seeds("vectors");
+    let files = texts("vectors");
     let lines = files.iter().flat_map(|file| file.lines().step_by(7));
     lines
         .map(|line| serde_json::from_str(line).expect("JSON"))
@@ -80,52 +78,12 @@ fn line() -> impl Strategy<Value = Vec<u8>> {
 fn protocol_lines() {
     let count = cases(3000).cases as usize;
     let mut runner = TestRunner::new(ProptestConfig::default());
-    for options in [
-        ["--quality", "textbook"],
-        ["--quality", "stable"],
-        ["--quality", "wide"],
-        ["--shadow", "error-bound"],
-    ] {
-        let lines: Vec<Vec<u8>> = (0..count)
-            .map(|_| line().new_tree(&mut runner).expect("a line").current())
-            .collect();
-        let mut program = Command::new(env!("CARGO_BIN_EXE_xtask"));
-        program.arg("kernels").args(options);
-        program
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped());
-        let mut child = program.spawn().expect("the program starts");
-        let mut input = child.stdin.take().expect("an input");
-        let text = lines.join(&b'\n');
-        // Ends early where the program does, which the answers then show.
-        let writer = thread::spawn(move || drop(input.write_all(&text)));
-        let output = child.wait_with_output().expect("an end");
-        writer.join().expect("the lines are written");
-        let answers = String::from_utf8(output.stdout).expect("UTF-8");
-        let shown = |number: usize| String::from_utf8_lossy(&lines[number]).into_owned();
-        let mut answered = 0;
-        for (number, answer) in answers.lines().enumerate() {
-            let answer: Value = serde_json::from_str(answer).expect("JSON");
-            let kinds = ["out", "unsupported", "error"].map(|key| answer.get(key).is_some());
-            let one = kinds.into_iter().filter(|&is| is).count() == 1;
-            assert!(one, "{}: {answer}", shown(number));
-            answered += usize::from(kinds[0]);
-            if kinds[2] {
-                assert_eq!(answer["line"], number + 1, "{}", shown(number));
-            }
-        }
-        let all = answers.lines().count();
-        assert_eq!(
-            all,
-            lines.len(),
-            "after {}",
-            shown(all.min(lines.len() - 1))
-        );
-        assert_eq!(String::from_utf8_lossy(&output.stderr), "");
-        assert!(
-            answered > count / 10 && answered < count,
-            "{answered} of {count} are requests"
-        );
-    }
+    let lines: Vec<Vec<u8>> = (0..count)
+        .map(|_| line().new_tree(&mut runner).expect("a line").current())
+        .collect();
+    let answered = protocol_line(&lines.join(&b'\n'));
+    assert!(
+        answered > count / 10 && answered < count,
+        "{answered} of {count} are requests"
+    );
 }

@@ -1,22 +1,17 @@
 //! Scene files: read or refused, and drawn.
 
-use crate::{cases, changed, changes, seeds};
-use ombrage::{
-    Engine, Film, LabChain, Level, Lighting, PerspectiveCamera, Quality, Relative, Scalar, Shadow,
-    Size, View,
-};
+use crate::properties::scene_file;
+use crate::{cases, changed, changes, texts};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
-use std::fs;
-use std::num::NonZero;
 use std::ops::Range;
+use std::path::Path;
 use std::sync::LazyLock;
-use xtask::case;
-use xtask::scene_file::{self, SceneFile};
+use xtask::scene_file::parse;
 
-static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| seeds("scenes"));
+static SCENES: LazyLock<Vec<String>> = LazyLock::new(|| texts("scenes"));
 
 /// Numbers as a scene file may have them: mostly of this range, few of any size or on the edge, very
 /// few none; a scene has about forty.
@@ -113,85 +108,18 @@ fn scene() -> impl Strategy<Value = String> {
         })
 }
 
-/// The file is drawn in every way, or refused in one line that names the file and the line.
-fn is_read_or_refused(bytes: &[u8]) -> Result<(), TestCaseError> {
-    let directory = tempfile::tempdir().expect("a directory");
-    let path = directory.path().join("any.toml");
-    fs::write(&path, bytes).expect("a file");
-    match scene_file::load(&path) {
-        Err(error) => {
-            let message = error.to_string();
-            let place = message.strip_prefix(&format!("{}:", path.display()));
-            let line = place
-                .and_then(|rest| rest.split_once(':'))
-                .map(|(line, _)| line);
-            let line: Option<usize> = line.and_then(|line| line.parse().ok());
-            prop_assert!(line.is_some_and(|line| line > 0), "{message}");
-            prop_assert_eq!(message.lines().count(), 1);
-        }
-        Ok(file) => {
-            draw::<f32>(&file)?;
-            draw::<f64>(&file)?;
-        }
-    }
-    Ok(())
-}
-
-fn draw<S: Scalar>(file: &SceneFile) -> Result<(), TestCaseError> {
-    let size = Size::new(5, 3).expect("a size");
-    let one = NonZero::new(1);
-    let scalar = Engine::new(Level::Scalar, one).expect("every machine has it");
-    let best = Engine::new(Level::best(), one).expect("this machine has it");
-    for lighting in [Lighting::Eye, Lighting::Shadowed] {
-        let chain = Relative::<S>::new(&file.scene, &file.view, size, lighting);
-        let Ok(chain) = chain else { continue };
-        let same =
-            scalar.render(&chain, size, Film::Clamp) == best.render(&chain, size, Film::Clamp);
-        prop_assert!(
-            same,
-            "{lighting:?} differs at {} in {}",
-            best.level(),
-            S::NAME
-        );
-    }
-    let view: View<S> = file.view.cast();
-    let camera = PerspectiveCamera::new(&view, S::from_f64(size.aspect()));
-    let (Ok(scene), Ok(camera)) = (file.scene.cast::<S>(), camera) else {
-        return Ok(());
-    };
-    for quality in Quality::ALL {
-        for shadow in Shadow::ALL {
-            let integrator = case::direct(quality, Some(shadow));
-            let chain = LabChain {
-                scene: &scene,
-                camera: &camera,
-                integrator,
-            };
-            let same =
-                scalar.render(&chain, size, Film::Wrap) == best.render(&chain, size, Film::Wrap);
-            prop_assert!(
-                same,
-                "{quality:?} {shadow:?} at {} in {}",
-                best.level(),
-                S::NAME
-            );
-        }
-    }
-    Ok(())
-}
-
 proptest! {
     #![proptest_config(cases(1000))]
 
     #[test]
     fn scene_files_by_grammar(text in scene()) {
-        is_read_or_refused(text.as_bytes())?;
+        scene_file(text.as_bytes());
     }
 
     #[test]
     fn scene_files_by_mutation(seed in any::<Index>(), changes in changes()) {
         let seed: &String = seed.get(&SCENES);
-        is_read_or_refused(&changed(seed, changes))?;
+        scene_file(&changed(seed, changes));
     }
 }
 
@@ -199,12 +127,9 @@ proptest! {
 #[test]
 fn the_grammar_makes_scenes_that_are_read() {
     let mut runner = TestRunner::deterministic();
-    let directory = tempfile::tempdir().expect("a directory");
-    let path = directory.path().join("any.toml");
     let read = (0..400).filter(|_| {
         let text = scene().new_tree(&mut runner).expect("a scene").current();
-        fs::write(&path, text).expect("a file");
-        scene_file::load(&path).is_ok()
+        parse(Path::new("any.toml"), text.into_bytes()).is_ok()
     });
     let read = read.count();
     assert!((40..360).contains(&read), "{read} of 400 are read");
