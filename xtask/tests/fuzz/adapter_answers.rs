@@ -57,7 +57,7 @@ fn fault() -> impl Strategy<Value = Fault> {
         1 => (index(), index()).prop_map(|(a, b)| Fault::Swap(a, b)),
         1 => index().prop_map(Fault::Twice),
         1 => index().prop_map(Fault::Ends),
-        6 => (index(), index(), value()).prop_map(|(line, at, value)| Fault::Value(line, at, value)),
+        6 => (index(), index(), value()).prop_map(|(line, at, to)| Fault::Value(line, at, to)),
         2 => (select(others), index()).prop_map(|(line, at)| Fault::Other(line, at)),
     ]
 }
@@ -120,7 +120,7 @@ proptest! {
     }
 }
 
-/// The seeds are the kit's own answers, so what they become by a change is nearly right. Where one
+/// The seeds are the kit's best answers, so what they become by a change is nearly right. Where one
 /// is not, the message has what belongs in its file.
 #[test]
 fn seeds_are_right() {
