@@ -5,9 +5,18 @@ mod naive;
 #[path = "support/variants.rs"]
 mod variants;
 
+mod diagnosis {
+    mod clauses;
+    mod conventions;
+    mod estimates;
+}
+
 use naive::Naive;
 use ombrage::conformance::diagnosis::{Diagnosis, Verdict, diagnose};
 use ombrage::{Figure, Picture, Size};
+
+/// The size of a picture that shows all faults.
+const WIDE: (u32, u32) = (160, 107);
 
 fn picture(naive: &Naive) -> Picture {
     let size = Size::new(naive.width, naive.height).expect("a size");
@@ -37,7 +46,7 @@ fn is_named(code: &str, diagnosis: &Diagnosis) -> bool {
 
 #[test]
 fn every_fault_is_named_alone() {
-    for (code, figure, naive) in naive::faults(160, 107) {
+    for (code, figure, naive) in naive::faults(WIDE.0, WIDE.1) {
         let diagnosis = judge(&naive, figure);
         assert!(
             is_named(code, &diagnosis),
@@ -50,7 +59,7 @@ fn every_fault_is_named_alone() {
 #[test]
 fn right_pictures_conform() {
     for figure in ["1", "2a", "2b", "3a", "3c"] {
-        for (words, naive) in variants::conventions(figure, 160, 107)
+        for (words, naive) in variants::conventions(figure, WIDE.0, WIDE.1)
             .into_iter()
             .filter(|(words, _)| !words.starts_with("one random"))
             .step_by(5)
@@ -69,7 +78,10 @@ fn right_pictures_conform() {
 /// Both faults of at least nine pairs in ten are named; every fourth pair is tried.
 #[test]
 fn pairs_of_faults_are_named() {
-    let pairs: Vec<_> = variants::pairs(160, 107).into_iter().step_by(4).collect();
+    let pairs: Vec<_> = variants::pairs(WIDE.0, WIDE.1)
+        .into_iter()
+        .step_by(4)
+        .collect();
     let mut missed = vec![];
     for (a, b, figure, naive) in &pairs {
         let diagnosis = judge(naive, figure);

@@ -74,29 +74,30 @@ pub fn conventions(name: &str, width: u32, height: u32) -> Vec<(String, Naive)> 
     all
 }
 
+/// Faults as changes of a right picture.
+pub const CHANGES: [(&str, fn(&mut Naive)); 18] = [
+    ("WRAPPED", |n| n.clamp = false),
+    ("NO_SHADOW", |n| n.shadows = false),
+    ("ACNE", |n| n.acne = [true; 2]),
+    ("OFFSET_TOO_LARGE", |n| n.offset = 0.3),
+    ("SHADOW_SHIFTED", |n| n.shift = [0.3, 0.0, 0.2]),
+    ("NO_FALLOFF", |n| n.falloff = 0),
+    ("LINEAR_FALLOFF", |n| n.falloff = 1),
+    ("WRONG_POWER", |n| n.power = 40.0),
+    ("EXTRA_PI", |n| n.over_pi = true),
+    ("PLANE_MISSING", |n| n.plane = false),
+    ("NORMAL_FLIPPED", |n| n.flip = true),
+    ("MIRRORED", |n| n.mirror = true),
+    ("UPSIDE_DOWN", |n| n.upside_down = true),
+    ("GAMMA", |n| n.gamma = 1),
+    ("RED_BLUE_SWAPPED", |n| n.swap = true),
+    ("WRONG_COLOUR", |n| n.plane_color = [0.1, 0.7, 0.2]),
+    ("WRONG_BACKGROUND", |n| n.background = [0.1, 0.2, 0.4]),
+    ("WRONG_FOV", |n| n.fov = 45.0),
+];
+
 /// Pairs of faults that both show in a figure: the codes, the figure, the picture.
 pub fn pairs(width: u32, height: u32) -> Vec<(&'static str, &'static str, &'static str, Naive)> {
-    type Change = fn(&mut Naive);
-    let shadows: [(&str, Change); 18] = [
-        ("WRAPPED", |n| n.clamp = false),
-        ("NO_SHADOW", |n| n.shadows = false),
-        ("ACNE", |n| n.acne = [true; 2]),
-        ("OFFSET_TOO_LARGE", |n| n.offset = 0.3),
-        ("SHADOW_SHIFTED", |n| n.shift = [0.3, 0.0, 0.2]),
-        ("NO_FALLOFF", |n| n.falloff = 0),
-        ("LINEAR_FALLOFF", |n| n.falloff = 1),
-        ("WRONG_POWER", |n| n.power = 40.0),
-        ("EXTRA_PI", |n| n.over_pi = true),
-        ("PLANE_MISSING", |n| n.plane = false),
-        ("NORMAL_FLIPPED", |n| n.flip = true),
-        ("MIRRORED", |n| n.mirror = true),
-        ("UPSIDE_DOWN", |n| n.upside_down = true),
-        ("GAMMA", |n| n.gamma = 1),
-        ("RED_BLUE_SWAPPED", |n| n.swap = true),
-        ("WRONG_COLOUR", |n| n.plane_color = [0.1, 0.7, 0.2]),
-        ("WRONG_BACKGROUND", |n| n.background = [0.1, 0.2, 0.4]),
-        ("WRONG_FOV", |n| n.fov = 45.0),
-    ];
     // One hides the other: nothing is left that would show it.
     let hidden = |a: &str, b: &str, swapped: bool| {
         let (a, b) = if swapped { (b, a) } else { (a, b) };
@@ -120,8 +121,8 @@ pub fn pairs(width: u32, height: u32) -> Vec<(&'static str, &'static str, &'stat
         )
     };
     let mut pairs = vec![];
-    for (number, (a, first)) in shadows.iter().enumerate() {
-        for (b, second) in &shadows[number + 1..] {
+    for (number, (a, first)) in CHANGES.iter().enumerate() {
+        for (b, second) in &CHANGES[number + 1..] {
             if hidden(a, b, false) || hidden(a, b, true) {
                 continue;
             }

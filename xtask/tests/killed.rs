@@ -13,10 +13,12 @@ use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use xtask::whole_file::{PREFIX, WholeFile};
 
-/// The commands that write files; `OUT` stands for the directory they write to.
-const WRITERS: [&[&str]; 3] = [
+/// The commands that write files; `OUT` stands for the directory they write to. A report that
+/// measures differs from run to run; it is written as one from known data is.
+const WRITERS: [&[&str]; 4] = [
     &["figures", "--size", "300x200", "--out", "OUT"],
     &["vectors", "--out", "OUT"],
+    &["report", "--from", "DOCS/report/data.json", "--out", "OUT"],
     &["render", "SCENES/base.toml", "--out", "OUT/base.png"],
 ];
 
@@ -26,12 +28,18 @@ const OLD: &[u8] = b"old";
 type Files = BTreeMap<PathBuf, Vec<u8>>;
 
 fn start(writer: &[&str], out: &Path) -> Child {
-    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/scenes");
-    let path = |path: &Path| path.to_str().expect("a path in UTF-8").to_owned();
-    let (out, scenes) = (path(out), path(&scenes));
-    let args = writer
-        .iter()
-        .map(|word| word.replace("OUT", &out).replace("SCENES", &scenes));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let places = [
+        ("OUT", out.to_owned()),
+        ("SCENES", root.join("tests").join("scenes")),
+        ("DOCS", root.join("docs")),
+    ];
+    let args = writer.iter().map(|word| {
+        let named = |word: String, (name, path): &(&str, PathBuf)| {
+            word.replace(name, path.to_str().expect("a path in UTF-8"))
+        };
+        places.iter().fold((*word).to_owned(), named)
+    });
     let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
     command.args(args).stdout(Stdio::null());
     command.spawn().expect("the program starts")

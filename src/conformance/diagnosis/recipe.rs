@@ -249,6 +249,17 @@ impl Recipe {
         }
     }
 
+    /// The recipe with the other convention for the largest parameter of a primary hit.
+    pub fn with_other_t_max(mut self) -> Self {
+        let t_max = &mut self.viewpoint.t_max;
+        *t_max = if t_max.is_finite() {
+            f64::INFINITY
+        } else {
+            1000.0
+        };
+        self
+    }
+
     /// The recipe without a fault: its knobs as expected.
     pub fn without(mut self, code: Code, expected: &Recipe) -> Self {
         let right = &expected.viewpoint;

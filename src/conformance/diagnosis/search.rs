@@ -202,11 +202,5 @@ pub(super) fn in_its_conventions(evidence: &Evidence, recipe: Recipe) -> Result<
             sampled = consider(tried)?;
         }
     }
-    let mut tried = sampled.0;
-    tried.viewpoint.t_max = if tried.viewpoint.t_max.is_finite() {
-        f64::INFINITY
-    } else {
-        1000.0
-    };
-    Ok(consider(tried)?.0)
+    Ok(consider(sampled.0.with_other_t_max())?.0)
 }

@@ -155,12 +155,17 @@ impl Case<'_> {
     fn conclude(&self, best: Recipe) -> Result<Diagnosis, Invalid> {
         let (whole, expected) = (&self.whole, self.expected);
         let best = in_its_conventions(&self.sample, best)?;
+        let (best, shows_t_max) = with_t_max(whole, best)?;
         let fit = Fit::of(whole, &best, &whole.predicted(&best)?);
-        let (conventions, shows_t_max) = conventions(whole, &best, self.loss)?;
         let mut diagnosis = Diagnosis {
             figure: self.figure.name,
             verdict: Verdict::Unknown,
-            conventions,
+            conventions: Conventions {
+                sampling: best.viewpoint.sampling,
+                rounding: best.rounding,
+                loss: self.loss,
+                t_max: shows_t_max.then_some(best.viewpoint.t_max),
+            },
             findings: vec![],
             shown: vec![],
             not_shown: vec![],
@@ -274,28 +279,14 @@ fn other_scene(picture: &Picture) -> Finding {
     }
 }
 
-/// The conventions, and whether the picture shows which `t_max` it has.
-fn conventions(
-    whole: &Evidence,
-    best: &Recipe,
-    loss: usize,
-) -> Result<(Conventions, bool), Invalid> {
-    let mut other = *best;
-    let view = &mut other.viewpoint;
-    view.t_max = if view.t_max.is_finite() {
-        f64::INFINITY
-    } else {
-        1000.0
-    };
-    let (a, b) = (whole.drawn(best)?, whole.drawn(&other)?);
-    let shows_t_max = a.iter().zip(&b).any(|(a, b)| distance(a.rgb, b.rgb) > 2);
-    let conventions = Conventions {
-        sampling: best.viewpoint.sampling,
-        rounding: best.rounding,
-        loss,
-        t_max: shows_t_max.then_some(best.viewpoint.t_max),
-    };
-    Ok((conventions, shows_t_max))
+/// The recipe with the `t_max` that fits best, and whether the picture shows which. It shows in a row
+/// at the horizon or nowhere, so only the whole picture tells.
+fn with_t_max(whole: &Evidence, best: Recipe) -> Result<(Recipe, bool), Invalid> {
+    let other = best.with_other_t_max();
+    let (a, b) = (whole.drawn(&best)?, whole.drawn(&other)?);
+    let shows = a.iter().zip(&b).any(|(a, b)| distance(a.rgb, b.rgb) > 2);
+    let is_other = shows && whole.error(&other)? < whole.error(&best)?;
+    Ok((if is_other { other } else { best }, shows))
 }
 
 /// The nearest explanation that lacks one of the faults found, or adds a visible one to none.
