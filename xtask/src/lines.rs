@@ -38,9 +38,19 @@ pub fn read_line(
     }
 }
 
+/// The first characters of a stranger's text, as a message may show them: what controls a terminal is
+/// written as an escape.
+pub fn printable(text: &str, most: usize) -> String {
+    let shown = |c: char| match c.is_control() {
+        true => c.escape_default().to_string(),
+        false => c.to_string(),
+    };
+    text.chars().take(most).map(shown).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::read_line;
+    use super::{printable, read_line};
     use std::io::BufReader;
 
     /// Lines and their lengths, read through a buffer of three bytes.
@@ -52,6 +62,13 @@ mod tests {
             lines.push((String::from_utf8_lossy(&line).into_owned(), length));
         }
         lines
+    }
+
+    #[test]
+    fn nothing_controls_the_terminal() {
+        let text = "a\u{1b}[2J\u{7f}\u{9b}é\n";
+        assert_eq!(printable(text, 100), "a\\u{1b}[2J\\u{7f}\\u{9b}é\\n");
+        assert_eq!(printable(text, 2), "a\\u{1b}");
     }
 
     #[test]

@@ -42,7 +42,8 @@ pub fn right_answers(group: usize) -> Option<String> {
     Some(format!("{choice}{}", lines.collect::<String>()))
 }
 
-/// Whatever a program prints, it is judged, and the report is text and JSON. The first byte chooses
+/// Whatever a program prints, it is judged, and the report is JSON, and text that controls no
+/// terminal. The first byte chooses
 /// what it is asked and held to, from `A` on; form feeds part the output of one process from the
 /// next. Returns the verdict.
 pub fn adapter_answer(bytes: &[u8]) -> String {
@@ -53,6 +54,10 @@ pub fn adapter_answer(bytes: &[u8]) -> String {
     let quality = quality.and_then(|quality| Quality::ALL.get(quality).copied());
     let outputs: Vec<&[u8]> = output.split(|&byte| byte == b'\x0c').collect();
     let [text, json] = conform::judge(cases, &outputs, quality).expect("a report");
+    assert!(
+        text.chars().all(|c| c == '\n' || !c.is_control()),
+        "{text:?}"
+    );
     let report: Value = serde_json::from_str(&json).expect("JSON");
     let counts = ["passed", "failed", "unsupported"].map(|key| report["kinds"][0][key].as_u64());
     let sum: u64 = counts

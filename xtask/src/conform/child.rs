@@ -2,7 +2,7 @@
 //! leaves unread, this side neither waits for ever nor keeps more than a few megabytes.
 
 use crate::error::{Error, Result};
-use crate::lines::read_line;
+use crate::lines::{printable, read_line};
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::process::{self, Command, ExitStatus, Stdio};
@@ -142,8 +142,7 @@ impl Program for Child {
         let errors = self.errors.lock().unwrap_or_else(PoisonError::into_inner);
         let text = String::from_utf8_lossy(&errors);
         let line = text.lines().rev().find(|line| !line.trim().is_empty());
-        let line = line.unwrap_or_default().trim().chars().take(120).collect();
-        (status, line)
+        (status, printable(line.unwrap_or_default().trim(), 120))
     }
 }
 

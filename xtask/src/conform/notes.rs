@@ -1,5 +1,6 @@
 //! What a program printed that is no answer in its place.
 
+use crate::lines::printable;
 use ombrage::conformance::Behaviour;
 use std::collections::BTreeMap;
 
@@ -15,7 +16,7 @@ pub struct Note {
 impl Note {
     fn add(&mut self, text: &str) {
         if self.lines == 0 {
-            self.first = text.chars().take(100).collect();
+            self.first = printable(text, 100);
         }
         self.lines += 1;
     }

@@ -2,6 +2,7 @@
 
 use super::interview::{Interview, Outcome};
 use crate::error::{Error, Result};
+use crate::lines::printable;
 use crate::table::Table;
 use ombrage::Quality;
 use ombrage::conformance::{
@@ -277,9 +278,10 @@ fn unanswered(cases: &[Case], interview: &Interview, judged: &[Judged]) -> Vec<F
         .iter()
         .filter(|judged| judged.verdict.wrong == Some(Wrong::Malformed))
         .map(|judged| {
-            let mut out = judged.out.to_string();
-            if out.chars().count() > 40 {
-                out = out.chars().take(40).chain("…".chars()).collect();
+            let whole = judged.out.to_string();
+            let mut out = printable(&whole, 40);
+            if whole.chars().count() > 40 {
+                out.push('…');
             }
             (
                 Behaviour::Garbled,
