@@ -10,12 +10,14 @@ mod property;
 mod report;
 
 mod properties {
+    pub mod accuracy;
     pub mod bad_input;
     pub mod bounded;
     pub mod camera;
     pub mod double_double;
     pub mod film;
     pub mod light;
+    pub mod names;
     pub mod picture;
     pub mod plane;
     pub mod proven;
@@ -109,6 +111,11 @@ properties! {
         no_bits_make_the_kit_panic
         figures_of_any_size_are_drawn
     }
+    in both floats, accuracy {
+        agreement_counts_bits_and_places
+        agreement_at_its_ends
+        units_are_told_from_others
+    }
     once, bounded {
         bounds_hold_in_f32
         bounds_hold_in_f64
@@ -143,5 +150,9 @@ properties! {
     once, proven {
         no_proof_contradicts_a_higher_one
         random_scenes_find_out_a_false_proof
+    }
+    once, names {
+        shadows_are_read_from_their_names
+        sizes_that_are_judged
     }
 }
