@@ -74,8 +74,11 @@ pub fn conventions(name: &str, width: u32, height: u32) -> Vec<(String, Naive)> 
     all
 }
 
+/// What makes a right picture wrong.
+pub type Change = fn(&mut Naive);
+
 /// Faults as changes of a right picture.
-pub const CHANGES: [(&str, fn(&mut Naive)); 18] = [
+pub const CHANGES: [(&str, Change); 18] = [
     ("WRAPPED", |n| n.clamp = false),
     ("NO_SHADOW", |n| n.shadows = false),
     ("ACNE", |n| n.acne = [true; 2]),
