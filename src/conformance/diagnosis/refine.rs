@@ -119,6 +119,7 @@ fn factored(mut recipe: Recipe, expected: &Recipe) -> Recipe {
 pub(super) fn factor(color: [f64; 3], of: [f64; 3], tolerance: u8) -> Option<f64> {
     let brightest = (0..3).max_by(|&a, &b| of[a].total_cmp(&of[b]))?;
     let factor = color[brightest] / of[brightest];
+    // Both are chosen by what was measured on pictures, not derived.
     let noise = 0.02 + 0.005 * f64::from(tolerance);
     let same = (0..3).all(|c| (color[c] - factor * of[c]).abs() <= noise * factor);
     (same && factor > 0.0 && factor.is_finite()).then_some(factor)
