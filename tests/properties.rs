@@ -17,6 +17,7 @@ mod properties {
     pub mod double_double;
     pub mod film;
     pub mod light;
+    pub mod losses;
     pub mod names;
     pub mod picture;
     pub mod plane;
@@ -143,6 +144,14 @@ properties! {
         step_moves_by_whole_places
         infinities_and_nan_never_become_numbers
         tangents_are_those_of_exact_angles
+    }
+    once, losses {
+        losses_of_sums_are_condition_numbers
+        losses_of_planes_are_condition_numbers_or_angles
+        losses_of_spheres_are_those_of_the_rim_or_of_the_formula
+        losses_of_cosines_are_those_of_angles
+        turns_and_bytes_make_up_the_radiance
+        losses_are_told_in_words
     }
     once, picture {
         pictures_are_refused_by_field_and_value

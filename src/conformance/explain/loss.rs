@@ -75,9 +75,13 @@ fn length(v: V) -> D {
     v.dot(v).sqrt()
 }
 
-/// The magnitude of a quotient; infinite where it has no value.
-fn ratio(a: D, b: D) -> f64 {
-    let ratio = (a / b).abs().to_f64();
+/// How many times as large as a result its terms are: infinite where nothing is left of them, and
+/// once where they are 0, of which nothing is lost.
+fn ratio(terms: D, result: D) -> f64 {
+    if terms == D::from_f64(0.0) {
+        return 1.0;
+    }
+    let ratio = (terms / result).abs().to_f64();
     if ratio.is_nan() { f64::INFINITY } else { ratio }
 }
 
@@ -90,11 +94,7 @@ fn worst(losses: impl IntoIterator<Item = Loss>) -> Option<Loss> {
 
 /// Of a sum of two terms.
 pub(super) fn of_sum(a: D, b: D) -> Option<Loss> {
-    let terms = a.abs() + b.abs();
-    if terms == D::from_f64(0.0) {
-        return None;
-    }
-    Loss::Cancellation(ratio(terms, a + b)).if_large()
+    Loss::Cancellation(ratio(a.abs() + b.abs(), a + b)).if_large()
 }
 
 /// Of the plane's t = dot(q - o, n) / dot(d, n).
@@ -162,10 +162,7 @@ pub(super) fn of_view(axes: &Axes<D>, [sx, sy]: [D; 2]) -> [Option<Loss>; 3] {
         let (across, down) = (two * right[i] * sx, two * up[i] * sy);
         let terms = right[i].abs() + up[i].abs() + forward[i].abs() + across.abs() + down.abs();
         let result = up[i] - right[i] + forward[i] + across - down;
-        match terms > D::from_f64(0.0) {
-            true => Loss::Cancellation(ratio(terms, result)).if_large(),
-            false => None,
-        }
+        Loss::Cancellation(ratio(terms, result)).if_large()
     })
 }
 
