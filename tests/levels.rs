@@ -215,6 +215,33 @@ fn a_level_that_the_processor_lacks_is_an_error_that_lists_what_there_is() {
     assert!("avx3".parse::<Level>().is_err());
 }
 
+/// The standard library knows the processor too. A level asks for more than its name says: for what
+/// came with it.
+#[test]
+#[cfg(target_arch = "x86_64")]
+fn levels_are_those_of_the_processor() {
+    use std::arch::is_x86_feature_detected as has;
+    let avx2 = has!("avx2") && has!("fma") && has!("bmi2") && has!("f16c") && has!("lzcnt");
+    let ice_lake = avx2 && has!("avx512vbmi2") && has!("avx512vpopcntdq") && has!("avx512vl");
+    for (level, there) in [
+        (Level::Scalar, true),
+        (Level::Fallback, true),
+        (Level::Sse2, true),
+        (Level::Sse4_2, has!("sse4.2") && has!("popcnt")),
+        (Level::Avx2, avx2),
+        (Level::Avx512, ice_lake),
+        (Level::Neon, false),
+    ] {
+        assert_eq!(level.is_available(), there, "{level}");
+        assert_eq!(
+            level.simd().is_some(),
+            there && level != Level::Scalar,
+            "{level}"
+        );
+    }
+    assert_eq!(Some(Level::best()), Level::available().next_back());
+}
+
 #[test]
 fn a_level_is_read_from_its_name() {
     for level in Level::ALL {

@@ -14,6 +14,7 @@ mod properties {
     pub mod bad_input;
     pub mod bounded;
     pub mod camera;
+    pub mod chains;
     pub mod double_double;
     pub mod film;
     pub mod light;
@@ -152,6 +153,9 @@ properties! {
         losses_of_cosines_are_those_of_angles
         turns_and_bytes_make_up_the_radiance
         losses_are_told_in_words
+    }
+    once, chains {
+        both_draw_the_same_pictures
     }
     once, picture {
         pictures_are_refused_by_field_and_value

@@ -7,7 +7,7 @@
 use super::Hit;
 use crate::quality::Scale;
 use crate::ray::{Ray, Span};
-use crate::real::{Constant, Real, Scalar};
+use crate::real::{Constant, DoubleDouble, Real, Scalar};
 use crate::vector::Vector;
 
 /// The hit at the parameter that `t` finds, lane by lane: NaN for none, else a number in the
@@ -82,13 +82,35 @@ impl Units {
         Vector::new(x, y, z)
     }
 
-    /// A parameter one precision up, in these units; an infinity where it is too large to matter.
-    pub fn parameter<W: Scalar>(&self, t: W) -> W {
-        rescaled(t, self.along.unit, self.size.reciprocal)
+    /// An interval one precision up, in these units; an end is infinite where it is too large to
+    /// matter.
+    pub fn span<S: Scalar>(&self, span: &Span<S>) -> Span<S::Wide> {
+        let parameter = |t: S| rescaled(t.widen(), self.along.unit, self.size.reciprocal);
+        Span {
+            min: parameter(span.min),
+            max: parameter(span.max),
+        }
+    }
+
+    /// The parameter of a hit in the interval, from what a filter found in these units, or else from
+    /// exact arithmetic.
+    pub fn parameter<S: Scalar>(
+        &self,
+        filtered: Option<Option<S::Wide>>,
+        exact: impl FnOnce() -> Option<DoubleDouble>,
+        span: &Span<S>,
+    ) -> Option<S> {
+        match filtered {
+            Some(t) => t.map(|t| S::narrow(self.world(t))),
+            None => {
+                let t = self.world(exact()?);
+                Some(within(S::from_double_double(t), span))
+            }
+        }
     }
 
     /// The parameter whose value in these units is `t`.
-    pub fn world<W: Scalar>(&self, t: W) -> W {
+    fn world<W: Scalar>(&self, t: W) -> W {
         rescaled(t, self.size.unit, self.along.reciprocal)
     }
 }
@@ -104,7 +126,7 @@ fn rescaled<W: Scalar>(t: W, a: f64, b: f64) -> W {
 }
 
 /// The end of the interval that rounding has put `t` beyond, else `t`.
-pub(super) fn within<S: Scalar>(t: S, span: &Span<S>) -> S {
+fn within<S: Scalar>(t: S, span: &Span<S>) -> S {
     let t = S::select(t.lt(span.min), span.min, t);
     S::select(span.max.lt(t), span.max, t)
 }

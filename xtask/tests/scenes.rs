@@ -1,12 +1,13 @@
 //! Scene files: those of the project draw the same picture however they are computed.
 
 use ombrage::{
-    DirectLighting, Engine, Film, Integrator, LabChain, Level, Lighting, PerspectiveCamera,
-    Picture, Quality, Relative, Scalar, Shadow, ShadowQuery, Size,
+    Engine, Film, LabChain, Level, Lighting, PerspectiveCamera, Picture, Quality, Relative, Scalar,
+    Shadow, Size,
 };
 use std::fs;
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use xtask::case::direct;
 use xtask::scene_file::{self, SceneFile};
 
 /// The scene files of the project, sorted.
@@ -47,15 +48,10 @@ fn lab<S: Scalar>(
     let scene = file.scene.cast::<S>().ok()?;
     let aspect = S::from_f64(size.aspect());
     let camera = PerspectiveCamera::new(&file.view.cast::<S>(), aspect).ok()?;
-    let integrator = Integrator::DirectLighting(DirectLighting {
-        quality,
-        shadow: Some(shadow),
-        query: ShadowQuery::Any,
-    });
     let chain = LabChain {
         scene: &scene,
         camera: &camera,
-        integrator,
+        integrator: direct(quality, Some(shadow)),
     };
     Some(engine.render(&chain, size, Film::Clamp))
 }

@@ -1,6 +1,6 @@
 //! The plane one precision up: never a wrong decision.
 
-use super::super::wide::{Units, surely_in, trust, within};
+use super::super::wide::{Units, surely_in, trust};
 use crate::ray::{Ray, Span};
 use crate::real::expansion::{Expansion, cross, difference, dot, exact3};
 use crate::real::{DoubleDouble, Scalar};
@@ -35,18 +35,9 @@ pub(super) fn wide_t<S: Scalar>(
         direction: units.direction::<S>(ray.direction),
         point: units.position::<S>(point),
         normal: Units::new([normal; 2], zero, normal).direction::<S>(normal),
-        span: Span {
-            min: units.parameter(span.min.widen()),
-            max: units.parameter(span.max.widen()),
-        },
+        span: units.span(span),
     };
-    match question.filtered(trust::<S>()) {
-        Some(t) => t.map(|t| S::narrow(units.world(t))),
-        None => {
-            let t = units.world(question.exact()?);
-            Some(within(S::from_double_double(t), span))
-        }
-    }
+    units.parameter(question.filtered(trust::<S>()), || question.exact(), span)
 }
 
 /// On which side of the plane a point lies, in exact arithmetic.

@@ -1,13 +1,14 @@
 //! One picture: drawn a few rows at a time, and timed.
 
 use crate::arguments::Machine;
+use crate::case::direct;
 use crate::error::{Error, Result};
 use crate::progress;
 use crate::proof::Proof;
 use crate::scene_file::SceneFile;
 use ombrage::{
-    Chain, DirectLighting, Engine, Film, Integrator, Invalid, LabChain, Lighting,
-    PerspectiveCamera, Picture, Quality, Relative, Scalar, Shadow, ShadowQuery, Size,
+    Chain, Engine, Film, Invalid, LabChain, Lighting, PerspectiveCamera, Picture, Quality,
+    Relative, Scalar, Shadow, Size,
 };
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -100,15 +101,10 @@ impl Job<'_> {
                 let scene = scene.cast::<S>().map_err(misfit)?;
                 let aspect = S::from_f64(self.size.aspect());
                 let camera = PerspectiveCamera::new(&view.cast::<S>(), aspect).map_err(misfit)?;
-                let integrator = Integrator::DirectLighting(DirectLighting {
-                    quality,
-                    shadow: Some(shadow),
-                    query: ShadowQuery::Any,
-                });
                 let chain = LabChain {
                     scene: &scene,
                     camera: &camera,
-                    integrator,
+                    integrator: direct(quality, Some(shadow)),
                 };
                 self.rows(&chain, engine)?
             }
