@@ -124,6 +124,8 @@ properties! {
         bounds_hold_in_double_double
         moderate_numbers_stay_known
         nothing_is_known_beyond_the_largest_number
+        integer_parts_and_leading_bits_are_known_up_to_their_ends
+        a_product_with_zero_is_zero
         large_quotients_are_within_their_bounds
         a_rounded_double_double_is_within_its_bound
         half_tangents_are_within_their_bounds
@@ -145,6 +147,7 @@ properties! {
         step_moves_by_whole_places
         infinities_and_nan_never_become_numbers
         tangents_are_those_of_exact_angles
+        tangents_are_those_of_half_the_angle
     }
     once, losses {
         losses_of_sums_are_condition_numbers

@@ -67,7 +67,8 @@ impl DoubleDouble {
     #[inline(always)]
     fn ordered(a: f64, b: f64) -> Self {
         if !(a.is_finite() && b.is_finite()) {
-            // The error of an infinity, or of a factor too large to split, is not a number.
+            // The error of an infinity, of the root of 0, or of a factor too large to split, is not a
+            // number.
             return Self::of(a, 0.0);
         }
         let high = a + b;
@@ -206,9 +207,6 @@ impl Real for DoubleDouble {
     #[inline(always)]
     fn sqrt(self) -> Self {
         let root = self.high.sqrt();
-        if root == 0.0 || !root.is_finite() {
-            return Self::of(root, 0.0);
-        }
         let (square, error) = two_product(root, root);
         let rest = self - Self::ordered(square, error);
         Self::ordered(root, rest.high / (2.0 * root))

@@ -1,7 +1,7 @@
 //! Bounded numbers: the exact result of every operation lies within its bound, whatever the
 //! magnitudes, and a proof with smaller bounds is found out.
 
-use crate::exact::{Exact, abs, dot, exact};
+use crate::exact::{Exact, abs, cross, dot, exact};
 use crate::property::{Verdict, for_all};
 use dashu_ratio::RBig;
 use ombrage::{
@@ -131,6 +131,26 @@ pub fn fused_vectors<S: Rounded + Exact, P: Proof>((a, b): (Known<S>, Known<S>))
     })
 }
 
+/// The same of vectors whose components have nothing to do with each other, in magnitude or in how
+/// well they are known, and are 0 here and there.
+fn unlike_vectors<S: Rounded + Exact>(exponents: std::ops::Range<i32>) {
+    let component = || known::<S>(exponents.clone());
+    let vector = || [component(), component(), component()];
+    for_all((vector(), vector()), |(a, b)| {
+        let number = |known: Known<S>| known.number::<Rigorous>();
+        let (x, y) = (a.clone().map(number), b.clone().map(number));
+        let (p, q) = (a.map(|known| known.truth), b.map(|known| known.truth));
+        let (scalar, square) = Real::products(x, y);
+        within("a scalar product", scalar, || dot(&p, &q))?;
+        within("a sum of products", Real::sum_of_products(x, y), || {
+            dot(&p, &q)
+        })?;
+        within("a sum of squares", Real::sum_of_squares(x), || dot(&p, &p))?;
+        let m = cross(&p, &q);
+        within("the square of a vector product", square, || dot(&m, &m))
+    });
+}
+
 /// `1/√A` where `(v - e)² A <= 1 <= (v + e)² A`.
 fn inverse_roots<S: Rounded + Exact, P: Proof>((a, _): (Known<S>, Known<S>)) -> Verdict {
     let root = a.number::<P>().inverse_root();
@@ -256,6 +276,7 @@ fn bounds_hold<S: Rounded + Exact>() {
         ] {
             for_all(pairs::<S>(exponents.clone()), check);
         }
+        unlike_vectors::<S>(exponents);
     }
 }
 
@@ -293,6 +314,7 @@ pub fn moderate_numbers_stay_known() {
     for_all(inputs, |(a, b, p, q)| {
         let u = f64::SUM;
         let (x, y) = (Bounded::new(a, a * p), Bounded::new(b, b * q));
+        let zero = Bounded::exact(0.0);
         let near = |name: &str, result: Bounded<f64>, relative: f64| {
             let most = 1.1 * result.value.abs() * relative;
             prop_assert!(result.error <= most, "{name} {result:?} of {x:?} and {y:?}");
@@ -301,7 +323,81 @@ pub fn moderate_numbers_stay_known() {
         near("sum", x + y, (a * p + b * q) / (a + b) + u)?;
         near("product", x * y, p + q + 2.0 * u)?;
         near("quotient", x / y, p + q + 2.0 * u)?;
-        near("root", x.sqrt(), p / 2.0 + 2.0 * u)
+        near("root", x.sqrt(), p / 2.0 + 2.0 * u)?;
+        near("inverse root", x.inverse_root(), p / 2.0 + 2.0 * u)?;
+        let of_two = (a * b * (p + q) + 2.0 * a * a * p) / (a * b + a * a) + 4.0 * u;
+        near(
+            "sum of products",
+            Real::sum_of_products([x, x, zero], [y, x, y]),
+            of_two,
+        )?;
+        near(
+            "sum of squares",
+            Real::sum_of_squares([x, zero, x]),
+            2.0 * p + 4.0 * u,
+        )?;
+        // Of vectors as lengths, and of the square as twice a length.
+        let (scalar, square) = Real::products([x, zero, zero], [zero, y, zero]);
+        let most = 1.1 * a * b * (p + q + 4.0 * u);
+        prop_assert!(
+            scalar.error <= most,
+            "scalar product {scalar:?} of {x:?} and {y:?}"
+        );
+        prop_assert!(
+            square.error <= 1.1 * 2.0 * a * b * most,
+            "square {square:?} of {x:?} and {y:?}"
+        );
+        let difference = Real::difference_of_products([x, y], [zero, y]);
+        near("difference of products", difference, p + q + 4.0 * u)
+    });
+}
+
+/// Just below and above a whole number, or a power of two: known up to there, and no further.
+pub fn integer_parts_and_leading_bits_are_known_up_to_their_ends() {
+    for_all(
+        (0..60u32, -40..-2i32, any::<bool>()),
+        |(whole, distance, negative)| {
+            let distance = f64::from(distance).exp2();
+            let sign = if negative { -1.0 } else { 1.0 };
+            let known = |value: f64, error: f64| Bounded::<f64>::new(sign * value, error);
+            let is_known = |number: Bounded<f64>| number.error.is_finite();
+            let end = f64::from(whole);
+            for (value, part) in [(end + distance, end), (end + 1.0 - distance, end)] {
+                let inside = known(value, 0.5 * distance).trunc();
+                prop_assert!(
+                    is_known(inside) && inside.value == sign * part,
+                    "{inside:?}"
+                );
+                // Around 0 all have the same integer part.
+                let crosses = value < 0.5 || is_known(known(value, 2.0 * distance).trunc());
+                prop_assert!(crosses == (value < 0.5), "{value} with {}", 2.0 * distance);
+            }
+            let power = f64::from(whole).exp2();
+            for value in [power * (1.0 + distance), 2.0 * power * (1.0 - distance)] {
+                let inside = known(value, 0.5 * distance * power).binade();
+                prop_assert!(is_known(inside) && inside.value == power, "{inside:?}");
+                let outside = known(value, 4.0 * distance * power).binade();
+                prop_assert!(
+                    !is_known(outside),
+                    "{value} with {}",
+                    4.0 * distance * power
+                );
+            }
+            let small = known(0.25 * distance, distance).trunc();
+            prop_assert!(is_known(small) && small.value == 0.0, "{small:?}");
+            Ok(())
+        },
+    );
+}
+
+/// In double-double the product of an exact 0 and a known number is exactly 0.
+pub fn a_product_with_zero_is_zero() {
+    for_all(known::<DoubleDouble>(-300..300), |other| {
+        let zero = Bounded::<DoubleDouble>::exact(DoubleDouble::from_f64(0.0));
+        for product in [zero * other.number(), other.number() * zero] {
+            prop_assert_eq!((product.value.high(), product.error.high()), (0.0, 0.0));
+        }
+        Ok(())
     });
 }
 
@@ -375,6 +471,18 @@ pub fn half_tangents_are_within_their_bounds() {
         let off = abs(exact(product.value) - exact(1.0));
         assert!(off <= exact(product.error), "{degrees} degrees");
     }
+    // tan 2x = 2 tan x / (1 - tan² x), by bounds alone.
+    for_all(0.5..85.0f64, |degrees| {
+        let tangent = |degrees| Bounded::<DoubleDouble>::half_tangent(degrees);
+        let single = tangent(degrees);
+        let one = single.constant(1.0);
+        let apart = tangent(2.0 * degrees) - (single + single) / (one - single * single);
+        prop_assert!(
+            abs(exact(apart.value)) <= exact(apart.error),
+            "{degrees}: {apart:?}"
+        );
+        Ok(())
+    });
 }
 
 pub fn choices_are_those_of_three_valued_logic() {

@@ -156,7 +156,22 @@ pub fn infinities_and_nan_never_become_numbers() {
     ] {
         assert!(!x.is_finite(), "{x:?} is finite");
     }
+    // A factor too large to split has a product all the same.
+    let half = most * 0.5;
+    assert!(half.is_finite() && (most * of(0.5)).is_finite() && (half + half).is_finite());
     assert!(one.lt(inf) && (-inf).lt(one) && !inf.lt(inf) && inf.le(inf));
+}
+
+/// `tan 2x (1 - tan² x) = 2 tan x`, from angles near 0 to angles near a right one.
+pub fn tangents_are_those_of_half_the_angle() {
+    for_all(0.5..85.0f64, |degrees| {
+        let tangent = |degrees: f64| exact(DoubleDouble::tan_half(DoubleDouble::from_f64(degrees)));
+        let (single, double) = (tangent(degrees), tangent(2.0 * degrees));
+        let truth = exact(2.0) * &single;
+        let off = abs(double * (exact(1.0) - &single * &single) - &truth);
+        prop_assert!(off <= power_of_two(-98) * truth, "{degrees} degrees");
+        Ok(())
+    });
 }
 
 /// tan 30° = 1/√3, tan 45° = 1, tan 60° = √3, and the half angles that add up to a right one.

@@ -67,3 +67,9 @@ pub fn sum([x, y, z]: [RBig; 3]) -> RBig {
 pub fn dot(a: &[RBig; 3], b: &[RBig; 3]) -> RBig {
     sum(products(a, b))
 }
+
+/// The vector product.
+pub fn cross(a: &[RBig; 3], b: &[RBig; 3]) -> [RBig; 3] {
+    let component = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+    [component(1, 2), component(2, 0), component(0, 1)]
+}
