@@ -117,6 +117,7 @@ properties! {
         agreement_counts_bits_and_places
         agreement_at_its_ends
         units_are_told_from_others
+        scaling_by_a_power_of_two_is_exact
     }
     once, bounded {
         bounds_hold_in_f32

@@ -295,3 +295,90 @@ impl Precise for Exact {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn float(x: f64) -> Exact {
+        Exact::from_f64(x)
+    }
+
+    fn root(x: f64) -> Exact {
+        float(x).sqrt()
+    }
+
+    /// Two numbers are certainly the same, however they are asked.
+    fn are_same(a: Exact, b: Exact) -> bool {
+        let all = a.le(b) & b.le(a) & !a.lt(b) & !b.lt(a);
+        all.certain
+    }
+
+    /// `tan 2x (1 - tan² x) = 2 tan x`, and angles that make up a right one.
+    #[test]
+    fn tangents_of_some_angles_are_exact() {
+        let tangent = Exact::half_tangent;
+        let one = float(1.0);
+        for (half, whole) in [(30.0, 60.0), (45.0, 90.0), (60.0, 120.0)] {
+            let same = || {
+                let (t, double) = (tangent(half), tangent(whole));
+                are_same(double * (one - t * t), t + t)
+            };
+            assert!(forgetting(same), "{half}");
+        }
+        for (a, b) in [(30.0, 150.0), (45.0, 135.0), (60.0, 120.0), (90.0, 90.0)] {
+            let same = || are_same(tangent(a) * tangent(b), one);
+            assert!(forgetting(same), "{a} and {b}");
+        }
+        for degrees in [30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 150.0, 77.0] {
+            let near = DoubleDouble::half_tangent(degrees).near();
+            assert!(
+                (tangent(degrees).near() / near - 1.0).abs() < 1e-15,
+                "{degrees}"
+            );
+        }
+        assert!(!tangent(77.0).is(tangent(77.0) + float(0.0)).decided());
+    }
+
+    #[test]
+    fn equal_numbers_are_told_however_they_are_made() {
+        let (two, three, six) = (root(2.0), root(3.0), root(6.0));
+        assert!(are_same(two * three, six));
+        assert!(are_same(three * two, six));
+        assert!(are_same(-(two * three), -six));
+        assert!(are_same(two + three - two, three));
+        assert!(are_same(six / two - three, float(0.0)));
+        assert!(are_same(float(0.0), six / two - three));
+        assert!((-two).lt(float(0.0)).certain && (-two).near() < 0.0);
+        // Roots of different floors, in either order.
+        let nested = (float(5.0) + six + six).sqrt();
+        assert!(are_same(nested, two + three) && are_same(three + two, nested));
+        assert!(are_same(nested + two, two + nested));
+        assert!(are_same(nested * two, two * nested));
+    }
+
+    /// A number that differs where no double-double sees it.
+    #[test]
+    fn nearly_equal_numbers_are_told() {
+        let tiny = float(1e-200);
+        for a in [float(1.0), root(2.0), root(2.0) * root(3.0)] {
+            assert!(a.lt(a + tiny).certain && (a - tiny).lt(a).certain);
+            assert!(!(a + tiny).le(a).possible);
+        }
+    }
+
+    #[test]
+    fn too_many_roots_in_a_row_stay_open() {
+        let nested = |floors: usize| (0..floors).fold(float(2.0), |x, _| (x + root(2.0)).sqrt());
+        let is_told = |floors| {
+            forgetting(|| {
+                let x = nested(floors);
+                let square = x * x;
+                let same = nested(floors - 1) + root(2.0);
+                square.le(same).decided()
+            })
+        };
+        assert!(is_told(2));
+        assert!(!is_told(MOST_FLOORS + 2));
+    }
+}

@@ -1,6 +1,7 @@
 //! Numbers about numbers: how many digits are right, whether a length is 1.
 
-use crate::property::{Sample, for_all, vector};
+use crate::exact::exact;
+use crate::property::{Sample, for_all, number, vector};
 use ombrage::conformance::Agreement;
 use ombrage::{DoubleDouble, Vector};
 use proptest::prelude::*;
@@ -45,6 +46,15 @@ pub fn units_are_told_from_others<F: Sample>() {
         for factor in [0.0, 0.5, 0.99999, 1.00001, 2.0] {
             prop_assert!(!(unit * F::from_f64(factor)).is_unit(), "{factor} times");
         }
+        Ok(())
+    });
+}
+
+/// Times a power of two, a number keeps all its digits.
+pub fn scaling_by_a_power_of_two_is_exact<F: Sample>() {
+    for_all((number::<F>(-40..40), -60..60i32), |(x, exponent)| {
+        let factor = f64::from(exponent).exp2();
+        prop_assert_eq!(exact(x.scaled(factor)), exact(x) * exact(factor));
         Ok(())
     });
 }
