@@ -4,6 +4,7 @@ use crate::error::Result;
 use clap::ValueEnum;
 use ombrage::{Engine, Level, Size};
 use std::num::NonZero;
+use std::path::PathBuf;
 use std::thread;
 
 /// The format that a picture is computed in.
@@ -46,6 +47,19 @@ impl Machine {
         let all = || thread::available_parallelism().ok().filter(|_| long);
         Ok(Engine::new(self.level, self.threads.or_else(all))?)
     }
+}
+
+/// Reads the name of a PNG file to be written.
+///
+/// # Errors
+/// If it does not end in `.png`.
+pub fn parse_png(text: &str) -> std::result::Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let is_png = path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    let advice = || "pictures are PNG files: write a name that ends in .png".to_owned();
+    is_png.then_some(path).ok_or_else(advice)
 }
 
 /// Reads `600x400`.

@@ -45,8 +45,8 @@ Examples:
   cargo xtask bench --instructions  instructions a pixel, which no busy machine disturbs
   cargo xtask bench --frames 1000 --chain lab --level avx2     something for a profiler
 
-Exit status: 0 measured; 1 a picture is not what it must be, or takes too many instructions; 2 bad
-input.
+Exit status: 0 measured, or there is no Valgrind to count with; 1 a picture is not what it must be,
+or takes too many instructions; 2 bad input.
 
 ns/pixel: median nanoseconds a pixel, from the scene to the bytes; x: times as fast as lab-way;
 wrong: bytes that differ from the true picture, of which every byte is proven; limit: the share of

@@ -5,6 +5,7 @@ pub mod jpeg;
 pub mod read;
 mod report;
 
+use crate::arguments::parse_png;
 use crate::error::{Error, Result};
 use crate::whole_file::WholeFile;
 use crate::{output, parallel, picture_file, progress};
@@ -48,7 +49,7 @@ pub struct Args {
     json: bool,
 
     /// Write the picture with its faults marked to this PNG file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE.png", value_parser = parse_png)]
     annotate: Option<PathBuf>,
 }
 

@@ -32,7 +32,7 @@ Examples:
   cargo xtask conform --kind ray_sphere --prec f32 -- ./my-kernels --fast
   cargo xtask conform --pattern tangent -- ./my-kernels       families whose name has \"tangent\"
   cargo xtask conform --number ray_plane.generic.f32.0001 -- ./my-kernels
-  cargo xtask conform -- cargo xtask kernels                  the kit's own kernels
+  cargo xtask conform -- cargo xtask kernels --quality wide   the kit's own kernels: no finding
 
 Exit status: 0 it conforms, or does nothing of this; 1 something is wrong; 2 bad usage, or a program
 that cannot run.")]

@@ -49,7 +49,10 @@ impl From<clap::Error> for Error {
             .collect();
         Self::new(format!(
             "{}; see --help",
-            lines.join("; ").trim_start_matches("error: ")
+            lines
+                .join("; ")
+                .replace(":; ", ": ")
+                .trim_start_matches("error: ")
         ))
     }
 }

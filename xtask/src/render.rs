@@ -2,7 +2,7 @@
 
 mod job;
 
-use crate::arguments::{Format, Machine, parse_size};
+use crate::arguments::{Format, Machine, parse_png, parse_size};
 use crate::error::{Error, Result};
 use crate::output;
 use crate::picture_file;
@@ -160,13 +160,4 @@ fn parse_quality(text: &str) -> std::result::Result<Quality, String> {
         let known = Quality::ALL.map(Quality::name).join(", ");
         format!("write one of {known}")
     })
-}
-
-fn parse_png(text: &str) -> std::result::Result<PathBuf, String> {
-    let path = PathBuf::from(text);
-    let is_png = path
-        .extension()
-        .is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-    let advice = || "pictures are PNG files: write a name that ends in .png".to_owned();
-    is_png.then_some(path).ok_or_else(advice)
 }

@@ -32,10 +32,10 @@ use std::process::ExitCode;
 #[derive(clap::Args)]
 #[command(after_help = "\
 Examples:
-  cargo xtask report                    measure (2 to 4 minutes); write data, page and README's figures
-  cargo xtask report --quick            the same with small pictures, to see that it works
-  cargo xtask report --from data.json   write the page from these data; measure nothing
-  cargo xtask report --check            is the page what docs/report/data.json gives?
+  cargo xtask report                      measure (2 to 4 minutes); write data, page, README's figures
+  cargo xtask report --quick --out quick  the same with small pictures, to see that it works
+  cargo xtask report --from docs/report/data.json    write the page from these; measure nothing
+  cargo xtask report --check              is the page what docs/report/data.json gives?
 
 Exit status: 0 written, or all is fresh; 1 --check found something stale; 2 bad input.")]
 pub struct Args {

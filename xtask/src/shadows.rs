@@ -15,6 +15,7 @@ pub use strategy::Strategy;
 pub(crate) use strategy::{Hits, by_sidedness};
 pub use time::Times;
 
+use crate::arguments::parse_png;
 use crate::case::{self, Case};
 use crate::error::{Error, Result};
 use crate::whole_file::WholeFile;
@@ -47,7 +48,7 @@ block; leak: falsely lit; turned: falsely black, the surface seems to face away 
 the lab's chain sees the surface that the camera is on); scenes: how many have acne, a false shadow
 or a leak; edge px: how far the shadow's edge moves at most, in pixels; ns: nanoseconds a shadow ray
 from a known hit, on one thread, one ray at a time; for sidedness, of a picture's time with shadows
-less that without.")]
+less that without, which on a busy machine may be below 0.")]
 pub struct Args {
     /// Scenes of tests/scenes, or scene files [default: all of tests/scenes]
     #[arg(value_name = "SCENE")]
@@ -74,7 +75,7 @@ pub struct Args {
     width: Option<u32>,
 
     /// Write the heat map to this PNG file
-    #[arg(long, value_name = "FILE", conflicts_with = "least_offset")]
+    #[arg(long, value_name = "FILE.png", value_parser = parse_png, conflicts_with = "least_offset")]
     out: Option<PathBuf>,
 
     /// Print JSON
@@ -100,13 +101,6 @@ struct Report<'a> {
 /// # Errors
 /// If a scene cannot be read, or the heat map cannot be written.
 pub fn run(args: &Args) -> Result<ExitCode> {
-    if args
-        .out
-        .as_ref()
-        .is_some_and(|out| out.as_os_str().is_empty())
-    {
-        return Err(Error::new("--out is empty: give a PNG file"));
-    }
     let mut cases = case::load(&args.scenes)?;
     if let Some(width) = args.width {
         cases = cases

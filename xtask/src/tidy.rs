@@ -31,10 +31,10 @@ struct Long {
 }
 
 /// docs/testing.md says what they are for.
-const LONG: [Long; 8] = [
+const LONG: [Long; 10] = [
     Long {
-        what: "mutation testing (needs cargo-mutants; an hour and more)",
-        how: "cargo mutants --config .cargo/mutants.toml -p ombrage --file 'src/**'",
+        what: "mutation testing (needs cargo-mutants; days for all of src, see docs/testing.md)",
+        how: "cargo mutants --config .cargo/mutants.toml -p ombrage --file src/film.rs",
     },
     Long {
         what: "fuzzing of all that strangers send (as long as you like)",
@@ -53,6 +53,14 @@ const LONG: [Long; 8] = [
         how: "OMBRAGE_KILLS=100 cargo test --release -p xtask --test killed -- --nocapture",
     },
     Long {
+        what: "proven pictures of as many random scenes as you like",
+        how: "PROPTEST_CASES=1000 cargo test --release --test properties no_proof_contradicts -- --nocapture",
+    },
+    Long {
+        what: "every pixel of the proven figures against the exact reference (10 minutes)",
+        how: "OMBRAGE_REFERENCE_PIXELS=all cargo test --release -p xtask --test proven figure -- --nocapture",
+    },
+    Long {
         what: "the same bits in every build (15 minutes)",
         how: "cargo xtask digests --builds all",
     },
@@ -62,7 +70,7 @@ const LONG: [Long; 8] = [
     },
     Long {
         what: "licences, sources and advisories of all dependencies (needs cargo-deny)",
-        how: "cargo deny check --config .cargo/deny.toml",
+        how: "cargo deny --all-features check --config .cargo/deny.toml",
     },
 ];
 

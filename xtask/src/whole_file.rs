@@ -63,19 +63,31 @@ impl WholeFile {
         write(self.file.as_file_mut()).map_err(|error| cannot_write(&self.target, &error))
     }
 
-    /// Puts the file in its place, in one step.
+    /// Puts the file in its place, in one step. One that is there already keeps its time of change,
+    /// so that nothing is built again that includes it.
     ///
     /// # Errors
     /// If it cannot be put there.
     pub fn keep(self) -> Result<()> {
-        let unfinished_path = self.file.path().to_path_buf();
-        let kept = self.file.persist(&self.target);
+        let Self { file, target } = self;
+        let unfinished_path = file.path().to_path_buf();
+        let kept = match is_same(&unfinished_path, &target) {
+            true => file.close(),
+            false => file
+                .persist(&target)
+                .map(drop)
+                .map_err(|failed| failed.error),
+        };
         unfinished().remove(&unfinished_path);
-        match kept {
-            Ok(_) => Ok(()),
-            Err(failed) => Err(cannot_write(&self.target, &failed.error)),
-        }
+        kept.map_err(|error| cannot_write(&target, &error))
     }
+}
+
+/// Whether two files are there and have the same bytes.
+fn is_same(a: &Path, b: &Path) -> bool {
+    let length = |path: &Path| fs::metadata(path).ok().map(|data| data.len());
+    length(a).is_some_and(|of_a| length(b) == Some(of_a))
+        && fs::read(a).is_ok_and(|of_a| fs::read(b).is_ok_and(|of_b| of_a == of_b))
 }
 
 /// A new file under a name that nobody takes for a finished one, locked.

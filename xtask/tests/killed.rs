@@ -6,10 +6,11 @@ use std::collections::BTreeMap;
 use std::env;
 use std::fs;
 use std::hash::{BuildHasher, RandomState};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 use tempfile::TempDir;
 use xtask::whole_file::{PREFIX, WholeFile};
 
@@ -166,4 +167,27 @@ fn only_abandoned_files_are_removed() {
     drop(second);
     let names: Vec<_> = files(place.path()).into_keys().collect();
     assert_eq!(names, ["another", "first"].map(PathBuf::from));
+}
+
+#[test]
+fn a_file_that_is_there_already_keeps_its_time() {
+    let place = TempDir::new().expect("a directory");
+    let path = place.path().join("file");
+    let write = |text: &str| {
+        let mut file = WholeFile::create(&path).expect("a file");
+        file.write(|file| file.write_all(text.as_bytes()))
+            .expect("it is filled");
+        file.keep().expect("it is in its place");
+        assert_eq!(fs::read_to_string(&path).expect("a file"), text);
+        fs::metadata(&path)
+            .and_then(|data| data.modified())
+            .expect("a time")
+    };
+    let long_ago = SystemTime::UNIX_EPOCH + Duration::from_secs(1_000_000_000);
+    write("old");
+    let file = fs::File::options().write(true).open(&path).expect("a file");
+    file.set_modified(long_ago).expect("a time");
+    assert_eq!(write("old"), long_ago);
+    assert!(write("new") > long_ago);
+    assert_eq!(files(place.path()).len(), 1);
 }
