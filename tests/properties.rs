@@ -15,8 +15,10 @@ mod properties {
     pub mod bounded;
     pub mod camera;
     pub mod chains;
+    pub mod close;
     pub mod double_double;
     pub mod film;
+    pub mod kleene;
     pub mod light;
     pub mod losses;
     pub mod names;
@@ -123,14 +125,18 @@ properties! {
         bounds_hold_in_f32
         bounds_hold_in_f64
         bounds_hold_in_double_double
-        moderate_numbers_stay_known
         nothing_is_known_beyond_the_largest_number
-        integer_parts_and_leading_bits_are_known_up_to_their_ends
         a_product_with_zero_is_zero
         large_quotients_are_within_their_bounds
         a_rounded_double_double_is_within_its_bound
         half_tangents_are_within_their_bounds
+    }
+    once, kleene {
         choices_are_those_of_three_valued_logic
+    }
+    once, close {
+        moderate_numbers_stay_known
+        integer_parts_and_leading_bits_are_known_up_to_their_ends
     }
     once, sabotage {
         bounds_too_small_are_noticed

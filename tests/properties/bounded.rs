@@ -5,7 +5,7 @@ use crate::exact::{Exact, abs, cross, dot, exact};
 use crate::property::{Verdict, for_all};
 use dashu_ratio::RBig;
 use ombrage::{
-    Bounded, Constant, DoubleDouble, Kleene, Mask, Precise, Proof, Real, Rigorous, Rounded, Scalar,
+    Bounded, Constant, DoubleDouble, Kleene, Precise, Proof, Real, Rigorous, Rounded, Scalar,
 };
 use proptest::prelude::*;
 use std::fmt::Debug;
@@ -307,89 +307,6 @@ pub fn large_quotients_are_within_their_bounds() {
     );
 }
 
-/// Bounds are not only right but close: within a tenth of the first-order error.
-pub fn moderate_numbers_stay_known() {
-    let number = || (-12..12i32, 1.0..2.0f64).prop_map(|(e, m)| m * f64::from(e).exp2());
-    let inputs = (number(), number(), 0.0..1e-3f64, 0.0..1e-3f64);
-    for_all(inputs, |(a, b, p, q)| {
-        let u = f64::SUM;
-        let (x, y) = (Bounded::new(a, a * p), Bounded::new(b, b * q));
-        let zero = Bounded::exact(0.0);
-        let near = |name: &str, result: Bounded<f64>, relative: f64| {
-            let most = 1.1 * result.value.abs() * relative;
-            prop_assert!(result.error <= most, "{name} {result:?} of {x:?} and {y:?}");
-            Ok(())
-        };
-        near("sum", x + y, (a * p + b * q) / (a + b) + u)?;
-        near("product", x * y, p + q + 2.0 * u)?;
-        near("quotient", x / y, p + q + 2.0 * u)?;
-        near("root", x.sqrt(), p / 2.0 + 2.0 * u)?;
-        near("inverse root", x.inverse_root(), p / 2.0 + 2.0 * u)?;
-        let of_two = (a * b * (p + q) + 2.0 * a * a * p) / (a * b + a * a) + 4.0 * u;
-        near(
-            "sum of products",
-            Real::sum_of_products([x, x, zero], [y, x, y]),
-            of_two,
-        )?;
-        near(
-            "sum of squares",
-            Real::sum_of_squares([x, zero, x]),
-            2.0 * p + 4.0 * u,
-        )?;
-        // Of vectors as lengths, and of the square as twice a length.
-        let (scalar, square) = Real::products([x, zero, zero], [zero, y, zero]);
-        let most = 1.1 * a * b * (p + q + 4.0 * u);
-        prop_assert!(
-            scalar.error <= most,
-            "scalar product {scalar:?} of {x:?} and {y:?}"
-        );
-        prop_assert!(
-            square.error <= 1.1 * 2.0 * a * b * most,
-            "square {square:?} of {x:?} and {y:?}"
-        );
-        let difference = Real::difference_of_products([x, y], [zero, y]);
-        near("difference of products", difference, p + q + 4.0 * u)
-    });
-}
-
-/// Just below and above a whole number, or a power of two: known up to there, and no further.
-pub fn integer_parts_and_leading_bits_are_known_up_to_their_ends() {
-    for_all(
-        (0..60u32, -40..-2i32, any::<bool>()),
-        |(whole, distance, negative)| {
-            let distance = f64::from(distance).exp2();
-            let sign = if negative { -1.0 } else { 1.0 };
-            let known = |value: f64, error: f64| Bounded::<f64>::new(sign * value, error);
-            let is_known = |number: Bounded<f64>| number.error.is_finite();
-            let end = f64::from(whole);
-            for (value, part) in [(end + distance, end), (end + 1.0 - distance, end)] {
-                let inside = known(value, 0.5 * distance).trunc();
-                prop_assert!(
-                    is_known(inside) && inside.value == sign * part,
-                    "{inside:?}"
-                );
-                // Around 0 all have the same integer part.
-                let crosses = value < 0.5 || is_known(known(value, 2.0 * distance).trunc());
-                prop_assert!(crosses == (value < 0.5), "{value} with {}", 2.0 * distance);
-            }
-            let power = f64::from(whole).exp2();
-            for value in [power * (1.0 + distance), 2.0 * power * (1.0 - distance)] {
-                let inside = known(value, 0.5 * distance * power).binade();
-                prop_assert!(is_known(inside) && inside.value == power, "{inside:?}");
-                let outside = known(value, 4.0 * distance * power).binade();
-                prop_assert!(
-                    !is_known(outside),
-                    "{value} with {}",
-                    4.0 * distance * power
-                );
-            }
-            let small = known(0.25 * distance, distance).trunc();
-            prop_assert!(is_known(small) && small.value == 0.0, "{small:?}");
-            Ok(())
-        },
-    );
-}
-
 /// In double-double the product of an exact 0 and a known number is exactly 0.
 pub fn a_product_with_zero_is_zero() {
     for_all(known::<DoubleDouble>(-300..300), |other| {
@@ -483,53 +400,4 @@ pub fn half_tangents_are_within_their_bounds() {
         );
         Ok(())
     });
-}
-
-pub fn choices_are_those_of_three_valued_logic() {
-    let open = Kleene {
-        certain: false,
-        possible: true,
-    };
-    let of = |truth: bool| Kleene {
-        certain: truth,
-        possible: truth,
-    };
-    let answers = [of(false), of(true), open];
-    // What an answer may turn out to be.
-    let worlds = |answer: Kleene<bool>| {
-        [false, true].into_iter().filter(move |&world| {
-            if world {
-                answer.possible
-            } else {
-                !answer.certain
-            }
-        })
-    };
-    let join = |truths: &mut dyn Iterator<Item = bool>| {
-        let truths: Vec<bool> = truths.collect();
-        (truths.iter().all(|&t| t), truths.iter().any(|&t| t))
-    };
-    let parts = |answer: Kleene<bool>| (answer.certain, answer.possible);
-    for a in answers {
-        assert_eq!(parts(!a), join(&mut worlds(a).map(|a| !a)), "not {a:?}");
-        assert_eq!(a.any(), worlds(a).any(|a| a));
-        assert_eq!(a.decided(), worlds(a).count() == 1);
-        for b in answers {
-            let both = || worlds(a).flat_map(move |a| worlds(b).map(move |b| (a, b)));
-            assert_eq!(
-                parts(a & b),
-                join(&mut both().map(|(a, b)| a & b)),
-                "{a:?} & {b:?}"
-            );
-            assert_eq!(
-                parts(a | b),
-                join(&mut both().map(|(a, b)| a | b)),
-                "{a:?} | {b:?}"
-            );
-        }
-        let (yes, no) = (Bounded::<f64>::exact(1.0), Bounded::exact(2.0));
-        let chosen = Bounded::select(a, yes, no);
-        assert_eq!(chosen.error == 0.0, a.decided());
-        assert!(!a.decided() || chosen.value == if a.certain { 1.0 } else { 2.0 });
-    }
 }

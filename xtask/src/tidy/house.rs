@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Where texts are.
@@ -14,6 +15,17 @@ const ROOMS: [&str; 8] = [
     ".cargo",
     "README.md",
     "Cargo.toml",
+];
+
+/// What else the workspace begins with.
+const BESIDE: [&str; 7] = [
+    ".git",
+    ".gitignore",
+    "Cargo.lock",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "snapshots",
+    "target",
 ];
 
 /// What texts end in; those in .ci have no ending.
@@ -31,6 +43,7 @@ pub struct Text {
 pub struct House {
     root: PathBuf,
     files: Vec<Text>,
+    strangers: Vec<String>,
 }
 
 impl House {
@@ -42,7 +55,15 @@ impl House {
         let mut house = Self {
             root: root.to_path_buf(),
             files: vec![],
+            strangers: vec![],
         };
+        for entry in fs::read_dir(root.join(".")).map_err(|error| unreadable(root, &error))? {
+            let name = entry.map_err(|error| unreadable(root, &error))?.file_name();
+            let name = name.to_string_lossy();
+            if ![&ROOMS[..], &BESIDE].concat().contains(&&*name) {
+                house.strangers.push(name.into_owned());
+            }
+        }
         for room in ROOMS {
             house.enter(room)?;
         }
@@ -60,12 +81,18 @@ impl House {
         Self {
             root: PathBuf::new(),
             files: files.iter().map(text).collect(),
+            strangers: vec![],
         }
     }
 
     /// Its texts.
     pub fn files(&self) -> &[Text] {
         &self.files
+    }
+
+    /// What lies in the root and has no place there.
+    pub fn strangers(&self) -> &[String] {
+        &self.strangers
     }
 
     /// Those whose name has this ending.
@@ -82,12 +109,7 @@ impl House {
 
     fn enter(&mut self, path: &str) -> Result<()> {
         let place = self.root.join(path);
-        let failed = |error: std::io::Error| {
-            Error::new(format!(
-                "cannot read {}: {error}; make it readable",
-                place.display()
-            ))
-        };
+        let failed = |error: io::Error| unreadable(&place, &error);
         if place.is_dir() {
             // What git ignores here is not the project's.
             let ignored = fs::read_to_string(place.join(".gitignore")).unwrap_or_default();
@@ -113,4 +135,9 @@ impl House {
         }
         Ok(())
     }
+}
+
+fn unreadable(place: &Path, error: &io::Error) -> Error {
+    let place = place.display();
+    Error::new(format!("cannot read {place}: {error}; make it readable"))
 }

@@ -41,6 +41,9 @@ pub fn findings(house: &House) -> Vec<String> {
             ));
         }
     }
+    let stranger =
+        |name| format!("{name}: nothing in the root but rooms and what cargo and git need");
+    found.extend(house.strangers().iter().map(stranger));
     found.extend(house.ending(".md").flat_map(|file| dead_links(house, file)));
     found
 }
