@@ -29,6 +29,7 @@ mod properties {
     pub mod sabotage;
     pub mod scene;
     pub mod sphere;
+    pub mod touch;
 }
 
 /// One test for each property, or one in each float: `plane::f32::hit_point_lies_on_plane`.
@@ -115,6 +116,11 @@ properties! {
         no_bits_make_the_kit_panic
         figures_of_any_size_are_drawn
     }
+    in both floats, touch {
+        the_widest_kernel_tells_the_slightest_touch
+        projected_points_are_as_near_as_they_say
+        shadow_rays_start_where_their_strategy_says
+    }
     in both floats, accuracy {
         agreement_counts_bits_and_places
         agreement_at_its_ends
@@ -166,6 +172,7 @@ properties! {
     }
     once, chains {
         both_draw_the_same_pictures
+        surveys_tell_what_pixels_show
     }
     once, picture {
         pictures_are_refused_by_field_and_value

@@ -61,12 +61,11 @@ impl Agreement {
         let error = (computed.to_double_double() - truth).abs();
         let unit = truth.binade().to_f64() * F::EPSILON;
         let smallest = F::MIN_POSITIVE * F::EPSILON;
-        let ulps = error.to_f64() / if unit < smallest { smallest } else { unit };
+        let ulps = error.to_f64() / unit.max(smallest);
         let relative = (error / truth).abs().to_f64();
         let bits = match error.to_f64() {
             0.0 => F::PRECISION,
-            _ if relative > 0.0 => (-relative.log2()).clamp(0.0, f64::from(F::PRECISION)) as u32,
-            _ => 0,
+            _ => (-relative.log2()).clamp(0.0, f64::from(F::PRECISION)) as u32,
         };
         Self { ulps, bits }
     }

@@ -4,8 +4,9 @@
 use crate::property::for_all;
 use glam::DVec3;
 use ombrage::{
-    DirectLighting, DoubleDouble, Film, Integrator, Invalid, LabChain, Lighting, PerspectiveCamera,
-    Plane, PointLight, Quality, Relative, Scene, Shadow, ShadowQuery, Size, Sphere, View, render,
+    Chain, DirectLighting, DoubleDouble, Film, Integrator, Invalid, LabChain, Lighting,
+    PerspectiveCamera, Plane, PointLight, Quality, Relative, Scene, Shadow, ShadowQuery, Size,
+    Sphere, View, render,
 };
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -22,12 +23,12 @@ fn color() -> impl Strategy<Value = DVec3> + Clone {
 }
 
 /// Spheres of all sizes that stand free, around each other, around the camera and around a light, and
-/// of which a light is much nearer than the camera; planes on all sides.
+/// whose middle a light is much nearer to than the camera; planes on all sides.
 fn scenes() -> impl Strategy<Value = (Scene<f64>, View<f64>)> {
     let spheres = vec((point(), 0.2..3.0f64, color()), 0..4);
     let planes = vec((point(), point(), color()), 0..3);
     let lights = vec((point(), color(), 1.0..200.0f64), 1..4);
-    let near = vec((point(), 0.01..0.3f64), 0..2);
+    let near = vec((point(), prop_oneof![0.01..0.3f64, 4.0..16.0f64]), 0..2);
     let view = (point(), point(), point(), 20.0..120.0f64);
     let t_max = prop_oneof![Just(f64::INFINITY), 2.0..12.0f64];
     let all = (spheres, planes, lights, near, view, t_max);
@@ -107,4 +108,47 @@ pub fn both_draw_the_same_pictures() {
         black > 1000 && bright > 1000,
         "{black} black, {bright} bright"
     );
+}
+
+/// What a survey says of a pixel is what its colour shows: which object, whether a light shines on it,
+/// and how brightly.
+pub fn surveys_tell_what_pixels_show() {
+    let shown = Cell::new([0; 4]);
+    for_all(scenes(), |(scene, view)| {
+        let size = Size::new(12, 8).expect("a size");
+        let valid = |invalid: Invalid| TestCaseError::reject(invalid.to_string());
+        let chain = Relative::<f64>::new(&scene, &view, size, Lighting::Shadowed).map_err(valid)?;
+        let bare =
+            Relative::<f64>::new(&scene, &view, size, Lighting::Unshadowed).map_err(valid)?;
+        for (column, row) in (0..8).flat_map(|row| (0..12).map(move |column| (column, row))) {
+            let across = Relative::<f64>::coordinate(column, 12);
+            let down = Relative::<f64>::coordinate(row, 8);
+            let pixel = chain.follow(across, down);
+            let radiance = chain.radiance::<f64>(across, down);
+            let unblocked = bare.radiance::<f64>(across, down);
+            prop_assert_eq!(pixel.level, (255.0 * radiance.max_element()) as u64);
+            prop_assert!(!pixel.blocked_by_itself);
+            let Some(object) = pixel.object else {
+                prop_assert_eq!(radiance, scene.background());
+                continue;
+            };
+            prop_assert_eq!(pixel.on_sphere, object < scene.spheres().len());
+            let is_dark = radiance == DVec3::ZERO;
+            if scene.lights().len() == 1 {
+                prop_assert_eq!(pixel.is_lit(), !is_dark);
+            }
+            prop_assert!(pixel.faces_light || is_dark);
+            // Of several lights one may be blocked and another not.
+            prop_assert!(!pixel.blocked_by_another || (pixel.faces_light && radiance != unblocked));
+            let [lit, turned, shadowed, all] = shown.get();
+            shown.set([
+                lit + u32::from(pixel.is_lit()),
+                turned + u32::from(!pixel.faces_light),
+                shadowed + u32::from(pixel.blocked_by_another),
+                all + 1,
+            ]);
+        }
+        Ok(())
+    });
+    assert!(shown.get().iter().all(|count| *count > 200), "{shown:?}");
 }

@@ -60,6 +60,10 @@ fn the_bytes_are_those_of_the_figures() {
                 "{} {pixel:?}",
                 figure.name
             );
+            // But for acne, and the border between two bytes, the truth is what f64 computes.
+            let near = |(a, b): (&u8, &u8)| a.abs_diff(*b) <= 1 || a.abs_diff(*b) == 255;
+            let is_near = told.truth.bytes.iter().zip(&told.double.bytes).all(near);
+            assert!(is_near || figure.name == "3a", "{} {pixel:?}", figure.name);
         }
     }
 }
