@@ -1,0 +1,111 @@
+//! What wrong kernels are known for, and how a trial of kernels of one's own reads.
+
+#[path = "broken/wrong.rs"]
+mod wrong;
+
+use ombrage::Float;
+use ombrage::conformance::{Behaviour, Case, Evidence, Kernel, Trial, recognise, vectors};
+use std::collections::BTreeSet;
+use wrong::RIGHT;
+
+/// The faults of `broken/wrong.rs` that a name is known for.
+const FAULTS: [(&str, &str); 13] = [
+    ("textbook", "TEXTBOOK_SPHERE"),
+    ("unit", "UNIT_DIRECTION_ASSUMED"),
+    ("distance", "UNIT_DIRECTION_ASSUMED"),
+    ("ignores-t-max", "T_MAX_IGNORED"),
+    ("ignores-t-min", "T_MIN_IGNORED"),
+    ("t-min-of-its-own", "T_MIN_IGNORED"),
+    ("half-open", "OPEN_INTERVAL"),
+    ("open", "OPEN_INTERVAL"),
+    ("culls", "PLANE_CULLED"),
+    ("culls-the-front", "PLANE_CULLED"),
+    ("misses-from-inside", "INSIDE_MISSED"),
+    ("overflows", "OVERFLOW"),
+    ("moves-by-a-constant", "OFFSET_CONSTANT"),
+];
+
+fn cases() -> Vec<Case> {
+    let of = |kernel| vectors(kernel).expect("valid");
+    Kernel::ALL.into_iter().flat_map(of).collect()
+}
+
+/// Kernels with a fault, asked everything in one format.
+fn trial<'a, F: Float>(cases: &'a [Case], fault: &str) -> Trial<'a> {
+    Trial::of::<F>(cases, |question| {
+        wrong::answer(fault, question).or_else(|| RIGHT.answer(question).ok())
+    })
+}
+
+/// What is said of a fault: by what it is known, and of how many cases.
+fn evidence<'a>(cases: &'a [Case], fault: &str) -> Vec<Evidence<'a>> {
+    let mut judged = trial::<f32>(cases, fault).judged;
+    judged.extend(trial::<f64>(cases, fault).judged);
+    recognise(&judged)
+}
+
+/// Wrong in one way, and that is what is named, in both formats and of enough cases.
+#[test]
+fn a_fault_is_named_and_no_other() {
+    let cases = cases();
+    for (fault, code) in FAULTS {
+        let evidence = evidence(&cases, fault);
+        let codes: BTreeSet<&str> = evidence.iter().map(|of| of.behaviour.code()).collect();
+        assert_eq!(codes, BTreeSet::from([code]), "{fault}");
+        let floats: BTreeSet<&str> = evidence.iter().map(|of| of.float).collect();
+        assert_eq!(floats, BTreeSet::from(["f32", "f64"]), "{fault}");
+        for of in evidence {
+            let enough = of.matched >= 3 && of.matched <= of.telling;
+            assert!(enough, "{fault}: {of:?}");
+            assert!(of.first.contains(of.float), "{fault}: {of:?}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_named_of_kernels_that_are_right_or_wrong_everywhere() {
+    let cases = cases();
+    for fault in ["none", "never-hits"] {
+        assert!(evidence(&cases, fault).is_empty(), "{fault}");
+    }
+}
+
+/// Each behaviour says something of its own to look for.
+#[test]
+fn every_behaviour_has_a_code_and_an_advice() {
+    let advice: BTreeSet<&str> = Behaviour::ALL.map(Behaviour::advice).into();
+    assert_eq!(advice.len(), Behaviour::ALL.len());
+    for behaviour in Behaviour::ALL {
+        assert!(behaviour.advice().len() > 20);
+        assert_eq!(behaviour.to_string(), behaviour.code());
+    }
+}
+
+/// A line for each case that fails, with its name and what is wrong; then the sum.
+#[test]
+fn a_trial_reads_case_by_case() {
+    let cases = cases();
+    let right = trial::<f32>(&cases, "none");
+    let count = right.judged.len();
+    assert_eq!(right.failed(), 0, "{right}");
+    assert_eq!(
+        right.to_string(),
+        format!("0 of {count} fail, 0 unsupported")
+    );
+    let broken = trial::<f32>(&cases, "ignores-t-max");
+    let text = broken.to_string();
+    let (lines, sum) = text.rsplit_once('\n').expect("lines");
+    let failed = broken.failed();
+    assert!(failed > 3);
+    assert_eq!(sum, format!("{failed} of {count} fail, 0 unsupported"));
+    let failing: Vec<_> = broken.judged.iter().filter(|judged| judged.fails).collect();
+    assert_eq!(lines.lines().count(), failing.len());
+    for (line, judged) in lines.lines().zip(failing) {
+        assert!(line.starts_with(judged.case.id()), "{line}");
+        assert!(line.len() > judged.case.id().len() + 10, "{line}");
+    }
+    // What a kernel does not do is no fault.
+    let nothing = Trial::of::<f64>(&cases, |_| None);
+    assert_eq!((nothing.failed(), nothing.judged.len()), (0, 0));
+    assert_eq!(nothing.unsupported.len() + count, cases.len());
+}
