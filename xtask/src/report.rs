@@ -1,7 +1,7 @@
 //! `cargo xtask report`: one page that shows speed against error.
 
 mod chart;
-mod clauses;
+pub mod clauses;
 pub mod data;
 mod headline;
 pub mod height;

@@ -2,18 +2,19 @@
 //! others, and bad input leaves the old one whole.
 
 use ombrage::Quality;
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tempfile::TempDir;
-use xtask::case::Case;
+use xtask::case::{self, Case};
 use xtask::compare::moved;
 use xtask::figures;
 use xtask::precision::measure::{errors, families};
 use xtask::report::data::{Data, VERSION};
 use xtask::report::page::{Pictures, page};
-use xtask::report::{height, measure, proofs};
-use xtask::shadows;
+use xtask::report::{clauses, height, measure, proofs};
+use xtask::shadows::{self, Strategy};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -67,6 +68,27 @@ fn a_sample_of_the_numbers_is_what_is_measured_again() {
     assert_eq!(data.families, families().expect("the vectors"));
     assert_eq!(data.quantise, measure::quantise());
     assert!(pictures().are_those_of(&data).is_ok());
+}
+
+/// A scene, a strategy, a quality or a clause that is new is in the committed data too.
+#[test]
+fn nothing_is_left_out() {
+    fn set<T: Ord>(of: impl IntoIterator<Item = T>) -> BTreeSet<T> {
+        of.into_iter().collect()
+    }
+    let data = data();
+    let renew = "renew docs/report with: cargo xtask report";
+    let scenes = case::load(&[]).expect("the scenes");
+    let scenes = set(scenes.into_iter().map(|case| case.name));
+    let shown = data.shadows.iter().map(|row| row.scene.clone());
+    assert_eq!(scenes, set(shown), "{renew}");
+    let shown = data.shadows.iter().map(|row| row.strategy.clone());
+    let strategies = set(Strategy::all().into_iter().map(Strategy::name));
+    assert_eq!(strategies, set(shown), "{renew}");
+    let shown = data.costs.iter().map(|row| &*row.quality);
+    assert_eq!(set(Quality::ALL.map(Quality::name)), set(shown), "{renew}");
+    let clauses = clauses::read(&root().join("docs/spec.md")).expect("the clauses");
+    assert_eq!(clauses, data.clauses, "{renew}");
 }
 
 /// Findings of the literature that the project rests on: here they are its own.

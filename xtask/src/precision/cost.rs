@@ -21,9 +21,9 @@ pub struct Cost {
 }
 
 /// The costs of a kernel in every quality, measured in turns, so that a machine that slows down slows all.
-pub fn costs<F: Float>(kernel: &str) -> [Cost; 3] {
+pub fn costs<F: Float>(kernel: &str) -> [Cost; Quality::ALL.len()] {
     let inputs = Inputs::<F>::new();
-    let mut times = [const { Vec::<f64>::new() }; 3];
+    let mut times = [const { Vec::<f64>::new() }; Quality::ALL.len()];
     for _ in 0..ROUNDS {
         for (times, quality) in times.iter_mut().zip(Quality::ALL) {
             let start = Instant::now();

@@ -67,7 +67,7 @@ pub fn cost(data: &Data, _: &Pictures) -> Markup {
 }
 
 /// In how many families of rays and spheres each quality has a wrong hit or miss.
-fn wrong_families(data: &Data, float: &str) -> [(&'static str, usize); 3] {
+fn wrong_families(data: &Data, float: &str) -> [(&'static str, usize); Quality::ALL.len()] {
     Quality::ALL.map(|quality| {
         let wrong = data.families.iter().filter(|family| {
             (family.kernel.as_str(), family.float.as_str()) == ("ray_sphere", float)

@@ -42,3 +42,16 @@ pub fn strategy(name: &str) -> &'static str {
         _ => "",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shadows::Strategy;
+
+    #[test]
+    fn every_strategy_has_words() {
+        for name in Strategy::all().into_iter().map(Strategy::name) {
+            assert!(!strategy(&name).is_empty(), "{name}");
+        }
+    }
+}
