@@ -69,6 +69,51 @@ fn exact_ties_are_decided() {
     );
 }
 
+/// Radiance at the border of two bytes, or below it by 2^-104, which no double-double tells.
+#[test]
+fn borders_of_bytes_are_decided() -> Result<(), Invalid> {
+    let tiny = f64::EPSILON;
+    for (color, power, clamped, wrapped) in [
+        ([2.0, 1.0, 0.5], 1.0, [255, 255, 127], [254, 255, 127]),
+        (
+            [1.0 - tiny, 0.0, 1.0],
+            1.0 + tiny,
+            [254, 0, 255],
+            [254, 0, 255],
+        ),
+        (
+            [2.0 - 2.0 * tiny, 4.0, 1.0],
+            1.0 + tiny,
+            [255, 255, 255],
+            [253, 252, 255],
+        ),
+    ] {
+        // The middle ray and the light meet the plane at a right angle, the light at distance 1.
+        let scene = Scene::new(DVec3::ZERO, f64::INFINITY)?
+            .with_plane(Plane::new(dvec3(0.0, 0.0, 5.0), -DVec3::Z)?, color.into())?
+            .with_light(PointLight::new(dvec3(0.0, 0.0, 4.0), DVec3::ONE, power)?);
+        let view = View {
+            position: DVec3::ZERO,
+            look_at: DVec3::Z,
+            up: DVec3::Y,
+            fov: 90.0,
+        };
+        for (film, bytes) in [(Film::Clamp, clamped), (Film::Wrap, wrapped)] {
+            let lighting = Lighting::Unshadowed;
+            let proven = render_proven(&scene, &view, size(1, 1), lighting, film)?;
+            assert_eq!(proven.undecided(), [], "{film:?} {color:?}");
+            assert_eq!(
+                proven.picture().pixel(0, 0),
+                Some(bytes),
+                "{film:?} {color:?}"
+            );
+            let is_exact = proven.count(Rung::Exact) == 1;
+            assert!(is_exact || film == Film::Clamp, "{color:?}");
+        }
+    }
+    Ok(())
+}
+
 /// Looking along the edges of a cube, every pixel is a number of a few square roots.
 #[test]
 fn ties_of_other_angles() -> Result<(), Invalid> {

@@ -29,3 +29,32 @@ pub fn byte<B: Real<Scalar: Rounded>, P: Proof>(film: Film, x: Bounded<B, P>) ->
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::real::Rigorous;
+
+    /// Around every border of bytes: certain only where both ends of what the number may be have the
+    /// byte, and wherever they have it with some room.
+    #[test]
+    fn a_byte_is_certain_where_both_ends_have_it() {
+        for film in [Film::Clamp, Film::Wrap] {
+            for border in 0..600 {
+                for away in [-0.5, -1e-3, -1e-7, 1e-7, 1e-3, 0.5] {
+                    for error in [0.0, 1e-9, 1e-5, 1e-2] {
+                        let x = (f64::from(border) + away) / 255.0;
+                        let (level, certain) = byte(film, Bounded::<f64, Rigorous>::new(x, error));
+                        let ends = |reach: f64| [x - reach, x + reach].map(|x| film.byte(x));
+                        let what = format!("{film:?} {border} + {away}, give or take {error}");
+                        if certain {
+                            assert_eq!(ends(error), [level; 2], "{what}");
+                        }
+                        let [least, most] = ends(2.0 * error + 1e-12);
+                        assert!(certain || least != most, "{what}");
+                    }
+                }
+            }
+        }
+    }
+}
