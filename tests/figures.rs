@@ -7,8 +7,9 @@ mod support {
 }
 
 use ombrage::{
-    Counts, DirectLighting, DoubleDouble, FIGURES, Figure, Float, Integrator, LabChain, Picture,
-    Pixel, Quality, Scalar, Shadow, ShadowQuery, Size, Survey, Vector, lab, render_radiance,
+    Counts, Detail, DirectLighting, DoubleDouble, FIGURES, Figure, Float, Integrator, LabChain,
+    Picture, Pixel, Quality, Scalar, Shadow, ShadowQuery, Size, Survey, Vector, lab,
+    render_radiance,
 };
 use std::sync::LazyLock;
 use support::snapshot;
@@ -286,4 +287,28 @@ fn figure_3c_is_the_same_by_any_hit_and_by_nearest_hit<F: Float>() {
     let any = by(ShadowQuery::Any);
     assert!(any == by(ShadowQuery::Nearest), "the two pictures differ");
     assert!(any == draw::<F>("3c"), "Figure 3(c) is another picture");
+}
+
+/// A detail that begins at the far edge is moved back into the picture, whatever its size.
+#[test]
+fn details_stay_in_the_picture() {
+    for (width, height) in [(600, 400), (1, 1), (7, 5), (1280, 800)] {
+        let size = Size::new(width, height).expect("a size");
+        for (left_percent, top_percent) in [(0, 0), (50, 99), (100, 100), (93, 7)] {
+            for factor in [1, 3, 8] {
+                let detail = Detail {
+                    left_percent,
+                    top_percent,
+                    factor,
+                    gain: 1,
+                };
+                let [left, top, wide, high] = detail.region(size);
+                assert!(left + wide <= width && top + high <= height, "{detail:?}");
+                assert_eq!(
+                    (wide, high),
+                    (width.div_ceil(factor), height.div_ceil(factor))
+                );
+            }
+        }
+    }
 }

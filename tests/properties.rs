@@ -120,6 +120,7 @@ properties! {
         the_widest_kernel_tells_the_slightest_touch
         projected_points_are_as_near_as_they_say
         shadow_rays_start_where_their_strategy_says
+        origins_on_the_surface_are_seen_by_direction
     }
     in both floats, accuracy {
         agreement_counts_bits_and_places

@@ -69,6 +69,34 @@ fn exact_ties_are_decided() {
     );
 }
 
+/// More lights than a bound in f32 may add up are left to f64; the picture is the same.
+#[test]
+fn many_lights_are_not_added_up_in_f32() -> Result<(), Invalid> {
+    for (count, in_single) in [(1000, true), (1001, false)] {
+        let mut scene = Scene::new(DVec3::ZERO, f64::INFINITY)?
+            .with_plane(Plane::new(dvec3(0.0, 0.0, 5.0), -DVec3::Z)?, DVec3::ONE)?;
+        for i in 0..count {
+            let place = dvec3(f64::from(i % 40) - 20.0, f64::from(i / 40) - 12.0, -1.0);
+            scene = scene.with_light(PointLight::new(place, DVec3::ONE, 0.03)?);
+        }
+        let view = View {
+            position: DVec3::ZERO,
+            look_at: DVec3::Z,
+            up: DVec3::Y,
+            fov: 60.0,
+        };
+        let (size, lighting) = (size(7, 5), Lighting::Unshadowed);
+        let proven = render_proven(&scene, &view, size, lighting, Film::Clamp)?;
+        assert_eq!(proven.undecided(), []);
+        assert_eq!(proven.count(Rung::F32) > 0, in_single, "{count} lights");
+        let all: usize = Rung::ALL.map(|rung| proven.count(rung)).into_iter().sum();
+        assert_eq!(all, size.pixels());
+        let chain = Relative::<f64>::new(&scene, &view, size, lighting)?;
+        assert!(*proven.picture() == render(&chain, size, Film::Clamp));
+    }
+    Ok(())
+}
+
 /// Radiance at the border of two bytes, or below it by 2^-104, which no double-double tells.
 #[test]
 fn borders_of_bytes_are_decided() -> Result<(), Invalid> {

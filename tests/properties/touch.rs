@@ -3,6 +3,7 @@
 use crate::exact::{abs, dot, exact, exact_vector, minus, sum};
 use crate::property::{Sample, for_all, positive, unit_roundoff, vector};
 use dashu_ratio::RBig;
+use ombrage::conformance::{Kernels, Offset, Surface};
 use ombrage::{
     HitRecord, Invalid, Plane, Projection, Quality, Ray, Scene, Shadow, Shape, Span, Sphere, Vector,
 };
@@ -186,6 +187,11 @@ pub fn shadow_rays_start_where_their_strategy_says<F: Sample>() {
             let has_zero = origin.to_array().into_iter().any(|x| x.to_f64() == 0.0);
             let is_clear = side(origin) == came || (has_zero && side(origin) == Ordering::Equal);
             prop_assert!(is_clear, "{origin:?}, {:?} of the surface", side(origin));
+            let on_surface = cast(Shadow::Reprojection).ray.origin.to_array();
+            for (axis, n) in hit.normal.to_array().into_iter().enumerate() {
+                let stays = origin.to_array()[axis] == on_surface[axis];
+                prop_assert!(n.to_f64() != 0.0 || stays, "moved across the normal");
+            }
             let origin = exact_vector::<F>(origin);
             let apart = minus(&origin, &exact_vector::<F>(hit.point));
             let size = sum(exact_vector::<F>(hit.point).map(abs)) + exact(64.0);
@@ -194,4 +200,58 @@ pub fn shadow_rays_start_where_their_strategy_says<F: Sample>() {
             Ok(())
         },
     );
+}
+
+/// A ray that starts on a surface sees it from the side that its direction tells: a sphere from
+/// inside if it enters there, a plane from behind if it leaves along the normal.
+pub fn origins_on_the_surface_are_seen_by_direction<F: Sample>() {
+    let sizes = (
+        [-40..40i8, -40..40, -40..40],
+        1..9i8,
+        0..3usize,
+        any::<bool>(),
+    );
+    for_all(sizes, |(center, radius, axis, negative)| {
+        let axis_of = |length: f64| {
+            let mut v = [0.0; 3];
+            v[axis] = if negative { -length } else { length };
+            F::Vector::constant((), v)
+        };
+        let fail = |invalid: Invalid| TestCaseError::fail(invalid.to_string());
+        let center = F::Vector::constant((), center.map(f64::from));
+        let radius = f64::from(radius);
+        let sphere = Sphere::<F>::new(center, F::from_f64(radius)).map_err(fail)?;
+        let radius_of = F::from_f64(radius);
+        let kernels = Kernels::default();
+        let inside = kernels.offset::<F>(&Offset {
+            ray: Ray {
+                origin: center - axis_of(radius),
+                direction: axis_of(1.0),
+            },
+            surface: Surface::Sphere {
+                center,
+                radius: radius_of,
+            },
+            point: center + axis_of(radius),
+            normal: axis_of(-1.0),
+        });
+        prop_assert_eq!(sphere.side(inside), Ordering::Less);
+        let plane = Plane::<F>::new(center, axis_of(2.0)).map_err(fail)?;
+        for (along, side) in [(1.0, Ordering::Less), (-1.0, Ordering::Greater)] {
+            let moved = kernels.offset::<F>(&Offset {
+                ray: Ray {
+                    origin: center,
+                    direction: axis_of(along),
+                },
+                surface: Surface::Plane {
+                    point: center,
+                    normal: axis_of(2.0),
+                },
+                point: center,
+                normal: axis_of(-along),
+            });
+            prop_assert_eq!(plane.side(moved), side);
+        }
+        Ok(())
+    });
 }
