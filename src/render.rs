@@ -140,7 +140,7 @@ impl Engine {
             draw(rows, pixels);
             return;
         }
-        let rows_at_a_time = (rows.len() / (threads * PARTS_PER_THREAD)).max(FEWEST_ROWS);
+        let rows_at_a_time = rows_at_a_time(rows.len(), threads);
         let parts = pixels.chunks_mut(rows_at_a_time * width);
         let parts = Mutex::new(rows.step_by(rows_at_a_time).zip(parts));
         let next = || parts.lock().unwrap_or_else(PoisonError::into_inner).next();
@@ -157,4 +157,9 @@ impl Engine {
             work();
         });
     }
+}
+
+/// How many rows are a part.
+fn rows_at_a_time(rows: usize, threads: usize) -> usize {
+    (rows / (threads * PARTS_PER_THREAD)).max(FEWEST_ROWS)
 }
