@@ -200,7 +200,11 @@ fn bad_input_is_named_in_a_line() {
         (&["right.png", "--figure", "3b"], "1, 2a, 2b, 3a, 3c"),
         (
             &["right.png", "--figure", "3c", "--annotate", ""],
-            "a value is required",
+            "a name that ends in .png",
+        ),
+        (
+            &["right.png", "--figure", "3c", "--annotate", "marked.jpg"],
+            "a name that ends in .png",
         ),
     ];
     for (arguments, words) in cases {
