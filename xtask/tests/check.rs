@@ -188,7 +188,7 @@ fn bad_input_is_named_in_a_line() {
     fs::write(at("moving.gif"), b"GIF89a\x01\0\x01\0").expect("a file");
     write_png(1, 1, &[1, 2, 3], &at("dot.png"));
     fs::create_dir(at("none")).expect("a directory");
-    let cases: [(&[&str], &str); 10] = [
+    let cases: [(&[&str], &str); 11] = [
         (&["cut.png", "--figure", "3c"], "cut.png"),
         (&["words.png", "--figure", "3c"], "save it as PNG"),
         (&["empty.png", "--figure", "3c"], "save it as PNG"),
