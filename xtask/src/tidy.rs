@@ -33,7 +33,7 @@ struct Long {
 /// docs/testing.md says what they are for.
 const LONG: [Long; 10] = [
     Long {
-        what: "mutation testing (needs cargo-mutants; days for all of src, see docs/testing.md)",
+        what: "mutation testing (needs cargo-mutants; days for all of src, so name files)",
         how: "cargo mutants --config .cargo/mutants.toml -p ombrage --file src/film.rs",
     },
     Long {
@@ -57,7 +57,7 @@ const LONG: [Long; 10] = [
         how: "PROPTEST_CASES=1000 cargo test --release --test properties no_proof_contradicts -- --nocapture",
     },
     Long {
-        what: "every pixel of the proven figures against the exact reference (10 minutes)",
+        what: "every pixel of the proven figures against the exact reference",
         how: "OMBRAGE_REFERENCE_PIXELS=all cargo test --release -p xtask --test proven figure -- --nocapture",
     },
     Long {

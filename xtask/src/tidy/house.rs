@@ -60,7 +60,7 @@ impl House {
         for entry in fs::read_dir(root.join(".")).map_err(|error| unreadable(root, &error))? {
             let name = entry.map_err(|error| unreadable(root, &error))?.file_name();
             let name = name.to_string_lossy();
-            if ![&ROOMS[..], &BESIDE].concat().contains(&&*name) {
+            if !ROOMS.contains(&&*name) && !BESIDE.contains(&&*name) {
                 house.strangers.push(name.into_owned());
             }
         }
@@ -140,4 +140,22 @@ impl House {
 fn unreadable(place: &Path, error: &io::Error) -> Error {
     let place = place.display();
     Error::new(format!("cannot read {place}: {error}; make it readable"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_no_place_in_the_root_is_a_stranger() {
+        let place = tempfile::TempDir::new().expect("a directory");
+        for room in ROOMS {
+            fs::create_dir(place.path().join(room)).expect("a room");
+        }
+        let strangers = || House::read(place.path()).expect("a house").strangers;
+        assert_eq!(strangers(), [""; 0]);
+        fs::write(place.path().join("Cargo.lock"), "").expect("a file");
+        fs::write(place.path().join("left.whl"), [0xff]).expect("a file");
+        assert_eq!(strangers(), ["left.whl"]);
+    }
 }
