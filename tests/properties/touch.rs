@@ -90,6 +90,8 @@ pub fn projected_points_are_as_near_as_they_say<F: Sample>() {
         let height = abs(dot(&minus(&point, &q), &n));
         let reach = dot(&error, &n.clone().map(abs));
         prop_assert!(height <= reach, "the plane does not meet the box");
+        // 8 roundings of a sum of three terms, each at most the largest difference, and 1 of the
+        // result; the rest is room for their products.
         let allowed = most(u, 30.0, minus(&p, &q)) + most(u, 2.0, point);
         prop_assert!(
             error.iter().all(|e| *e <= allowed),
@@ -107,6 +109,7 @@ pub fn projected_points_are_as_near_as_they_say<F: Sample>() {
         let farthest = std::array::from_fn(|i| &way[i] + &error[i]);
         let inside = square(&nearest) <= &r * &r && &r * &r <= square(&farthest);
         prop_assert!(inside, "the sphere does not meet the box");
+        // 5 roundings of the way from the center, and 1 of the result.
         let allowed = exact(8.0 * u) * r + most(u, 2.0, point);
         prop_assert!(
             error.iter().all(|e| *e <= allowed),
@@ -192,6 +195,8 @@ pub fn shadow_rays_start_where_their_strategy_says<F: Sample>() {
                 let stays = origin.to_array()[axis] == on_surface[axis];
                 prop_assert!(n.to_f64() != 0.0 || stays, "moved across the normal");
             }
+            // Near all the same: 1000 units in the last place of a scene of this size are far more than
+            // the few roundings of a hit point that is not grazed.
             let origin = exact_vector::<F>(origin);
             let apart = minus(&origin, &exact_vector::<F>(hit.point));
             let size = sum(exact_vector::<F>(hit.point).map(abs)) + exact(64.0);
