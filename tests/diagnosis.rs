@@ -1,5 +1,7 @@
 //! Pictures with faults, drawn by another renderer, and what the diagnosis says of them.
 
+#[path = "support/faults.rs"]
+mod faults;
 #[path = "support/naive.rs"]
 mod naive;
 #[path = "support/variants.rs"]
@@ -46,7 +48,7 @@ fn is_named(code: &str, diagnosis: &Diagnosis) -> bool {
 
 #[test]
 fn every_fault_is_named_alone() {
-    for (code, figure, naive) in naive::faults(WIDE.0, WIDE.1) {
+    for (code, figure, naive) in faults::faults(WIDE.0, WIDE.1) {
         let diagnosis = judge(&naive, figure);
         assert!(
             is_named(code, &diagnosis),

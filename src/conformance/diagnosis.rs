@@ -174,3 +174,6 @@ pub fn check_size(size: Size) -> Result<(), Invalid> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! What a picture shows of the clauses and of the faults.
 
-use crate::naive::{Naive, faults};
+use crate::faults::faults;
+use crate::naive::Naive;
 use crate::{WIDE, judge, variants};
 use ombrage::conformance::diagnosis::{Diagnosis, Verdict};
 

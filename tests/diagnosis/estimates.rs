@@ -1,6 +1,7 @@
 //! What was drawn comes out again as a number.
 
-use crate::naive::{Naive, faults};
+use crate::faults::faults;
+use crate::naive::Naive;
 use crate::{WIDE, judge};
 use ombrage::conformance::diagnosis::{Diagnosis, Estimate, Finding};
 

@@ -1,6 +1,6 @@
 //! Every mistake that the plain ray tracer can make, one at a time.
 
-use super::Naive;
+use crate::naive::Naive;
 
 /// Every fault of one knob that shows in a figure: its code, the figure, the picture.
 pub fn faults(width: u32, height: u32) -> Vec<(&'static str, &'static str, Naive)> {

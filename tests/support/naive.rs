@@ -2,10 +2,6 @@
 //! tested with. It shares no code with the library, and computes in `f32`, in the order in which a
 //! student would write it down.
 
-mod faults;
-
-pub use faults::faults;
-
 /// What one picture is drawn with.
 #[derive(Clone, Copy, Debug)]
 pub struct Naive {

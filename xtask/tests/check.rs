@@ -1,5 +1,7 @@
 //! `cargo xtask check` on pictures that another renderer drew, in the formats people hand in.
 
+#[path = "../../tests/support/faults.rs"]
+mod faults;
 #[path = "../../tests/support/naive.rs"]
 mod naive;
 
@@ -39,7 +41,7 @@ fn exit_codes_json_table_and_annotation() {
     let at = |name: &str| directory.path().join(name);
     let right = Naive::figure("3c", 120, 80);
     Format::Png.write(&right, &at("right.png"));
-    let faults = naive::faults(120, 80);
+    let faults = faults::faults(120, 80);
     let wrong = faults.iter().find(|(code, ..)| *code == "NO_SHADOW");
     let (.., wrong) = wrong.expect("a fault");
     Format::Png.write(wrong, &at("wrong.png"));

@@ -4,6 +4,8 @@
 //! docs/check.md:
 //! `OMBRAGE_MATRIX=full cargo test --release -p xtask --test check_matrix -- --nocapture`
 
+#[path = "../../tests/support/faults.rs"]
+mod faults;
 #[path = "../../tests/support/naive.rs"]
 mod naive;
 #[path = "../../tests/support/variants.rs"]
@@ -129,10 +131,10 @@ fn every_fault_is_named_alone_in_every_format() {
     } else {
         &[(320, 213)]
     };
-    let faults = naive::faults(1, 1).len();
+    let faults = faults::faults(1, 1).len();
     let mut jobs = vec![];
     for &(width, height) in sizes {
-        for (number, (code, figure, naive)) in naive::faults(width, height).into_iter().enumerate()
+        for (number, (code, figure, naive)) in faults::faults(width, height).into_iter().enumerate()
         {
             // All faults in PNG are tests of the library.
             let formats = match is_full() {

@@ -114,7 +114,7 @@ fn is_visible(
 
 /// A recipe with one fault more, of a size that shows wherever it can; `None` for a fault that no
 /// knob makes.
-fn with(recipe: &Recipe, code: Code) -> Option<Recipe> {
+pub(super) fn with(recipe: &Recipe, code: Code) -> Option<Recipe> {
     let mut r = *recipe;
     let view = &mut r.viewpoint;
     match code {

@@ -163,7 +163,11 @@ fn with_error(
 }
 
 /// The nearest candidates, one for each set of faults.
-fn nearest(mut candidates: Vec<Candidate>, expected: &Recipe, most: usize) -> Vec<Candidate> {
+pub(super) fn nearest(
+    mut candidates: Vec<Candidate>,
+    expected: &Recipe,
+    most: usize,
+) -> Vec<Candidate> {
     candidates.sort_by(|a, b| a.rank().total_cmp(&b.rank()));
     let mut kept: Vec<Candidate> = vec![];
     let mut known = vec![];

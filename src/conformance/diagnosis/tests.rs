@@ -1,0 +1,79 @@
+//! The parts of the diagnosis, each by itself.
+
+#[path = "../../../tests/support/naive.rs"]
+mod naive;
+
+mod changes;
+mod drawing;
+mod evidence;
+mod fit;
+mod measure;
+mod numbers;
+mod recipe;
+mod speckle;
+mod words;
+
+use super::evidence::Evidence;
+use super::loss::{Loss, Lossless};
+use super::recipe::Recipe;
+use super::surface::Region;
+use crate::figure::Figure;
+use crate::lab;
+use crate::picture::{Picture, Size};
+
+/// The recipe of a figure.
+fn right(figure: &str) -> Recipe {
+    let figure = Figure::named(figure).expect("a figure");
+    Recipe::of(figure, &lab::scene().expect("the lab's scene"))
+}
+
+fn size(width: u32, height: u32) -> Size {
+    Size::new(width, height).expect("a size")
+}
+
+/// A recipe turned into another.
+fn turned(recipe: &Recipe, turn: impl Fn(&mut Recipe)) -> Recipe {
+    let mut turned = *recipe;
+    turn(&mut turned);
+    turned
+}
+
+fn everything(size: Size) -> Region {
+    let (width, height) = (size.width(), size.height());
+    Region {
+        left: 0,
+        top: 0,
+        width,
+        height,
+    }
+}
+
+/// All of a picture.
+fn whole<'a>(picture: &Picture, loss: &'a dyn Loss) -> Evidence<'a> {
+    Evidence::new(picture, vec![everything(picture.size())], loss)
+}
+
+/// The picture that a recipe draws.
+fn picture(recipe: &Recipe, size: Size) -> Picture {
+    let drawn = whole(&Picture::black(size), &Lossless).drawn(recipe);
+    let drawn = drawn.expect("a viewpoint").into_iter();
+    Picture::from_pixels(size, drawn.map(|pixel| pixel.rgb).collect()).expect("all pixels")
+}
+
+/// A picture with other pixels at some places.
+fn changed(picture: &Picture, change: impl Fn(usize, [u8; 3]) -> [u8; 3]) -> Picture {
+    let pixels = picture.bytes().as_chunks::<3>().0.iter().enumerate();
+    let pixels = pixels.map(|(at, &rgb)| change(at, rgb)).collect();
+    Picture::from_pixels(picture.size(), pixels).expect("all pixels")
+}
+
+/// Numbers from 0 to 1 that look random, the same in every run.
+fn random(seed: u32) -> impl FnMut() -> f64 {
+    let mut state = u64::from(seed) ^ 0x9e37_79b9_7f4a_7c15;
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}

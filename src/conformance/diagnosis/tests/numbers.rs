@@ -1,0 +1,309 @@
+//! Numbers that are found by trying.
+
+use super::{picture, right, size, turned, whole};
+use crate::conformance::diagnosis::Code;
+use crate::conformance::diagnosis::evidence::Evidence;
+use crate::conformance::diagnosis::loss::{Loss, Lossless};
+use crate::conformance::diagnosis::recipe::{Recipe, Rounding, Sampling, ShadowRay};
+use crate::conformance::diagnosis::refine::{factor, refined, shadow_rays};
+use crate::conformance::diagnosis::search::in_its_conventions;
+use crate::conformance::diagnosis::shadow::displaced;
+use crate::picture::Picture;
+use std::f64::consts::PI;
+
+const SIZE: (u32, u32) = (96, 64);
+
+fn drawn(recipe: &Recipe) -> Picture {
+    picture(recipe, size(SIZE.0, SIZE.1))
+}
+
+/// What a guess becomes, by trying, in the picture of another recipe.
+fn refine(guess: &Recipe, of: &Recipe) -> Recipe {
+    let expected = right("3c");
+    refined(&whole(&drawn(of), &Lossless), *guess, &expected).expect("viewpoints")
+}
+
+fn is_near(found: f64, drawn: f64, tolerance: f64) {
+    assert!(
+        (found - drawn).abs() <= tolerance,
+        "{found}, but {drawn} was drawn"
+    );
+}
+
+/// A field of view is found from one several degrees beside it; with it, colours that were measured
+/// in the wrong one.
+#[test]
+fn fields_of_view_are_found() {
+    let right = right("3c");
+    for (fov, from) in [(45.0, 48.0), (45.0, 40.0), (70.3, 66.0), (33.0, 36.0)] {
+        let of = turned(&right, |r| r.viewpoint.fov = fov);
+        let guess = turned(&right, |r| r.viewpoint.fov = from);
+        let found = refine(&guess, &of);
+        is_near(found.viewpoint.fov, fov, 0.1);
+        assert_eq!(found.faults(&right), [Code::WrongFov]);
+        // Colours and powers that another field of view suggested are no faults.
+        let misled = turned(&guess, |r| (r.power, r.colors[1]) = (1.3, [0.7, 0.0, 0.0]));
+        let found = refine(&misled, &of);
+        is_near(found.viewpoint.fov, fov, 0.1);
+        assert_eq!(found.faults(&right), [Code::WrongFov]);
+        let color = [0.2, 0.6, 0.3];
+        let colored = turned(&of, |r| r.colors[1] = color);
+        let guess = turned(&guess, |r| r.colors[1] = [0.25, 0.5, 0.4]);
+        let found = refine(&guess, &colored);
+        is_near(found.viewpoint.fov, fov, 0.1);
+        for c in 0..3 {
+            is_near(found.colors[1][c], color[c], 0.02);
+        }
+    }
+}
+
+/// Powers and offsets are found from a tenth beside them; next to the right one they are the right
+/// one.
+#[test]
+fn powers_and_offsets_are_found() {
+    let right = right("3c");
+    for power in [0.1, 0.4, 0.9, 2.0, 4.0] {
+        for part in [0.9, 1.0, 1.12] {
+            let [of, guess] = [power, power * part].map(|x| turned(&right, |r| r.power = x));
+            is_near(refine(&guess, &of).power, power, 0.002 * power);
+        }
+    }
+    for power in [1.0, 1.0 / PI] {
+        let of = turned(&right, |r| r.power = power);
+        let guess = turned(&right, |r| r.power = 1.008 * power);
+        assert_eq!(refine(&guess, &of).power, power);
+    }
+    for offset in [0.25, 0.5] {
+        for part in [0.8, 1.3] {
+            let [of, guess] = [offset, offset * part].map(|offset| {
+                turned(&right, |r| {
+                    r.viewpoint.shadow = Some(ShadowRay {
+                        offset,
+                        ..ShadowRay::default()
+                    });
+                })
+            });
+            // So large that an edge that moves by a tenth of the way is in other pixels.
+            let of = picture(&of, size(240, 160));
+            let found = refined(&whole(&of, &Lossless), guess, &right).expect("viewpoints");
+            let found = found.viewpoint.shadow.expect("a shadow");
+            is_near(found.offset, offset, 0.1 * offset);
+        }
+    }
+}
+
+/// What is right stays as it is, and what is wrong otherwise is left alone.
+#[test]
+fn what_is_right_stays() {
+    let right = right("3c");
+    let near = turned(&right, |r| {
+        r.viewpoint.fov += 0.05;
+        r.power = 0.995;
+        r.colors = [[0.0, 0.006, 0.995], [0.995, 0.0, 0.004]];
+    });
+    assert_eq!(refine(&near, &right), right);
+    let mirrored = turned(&right, |r| (r.viewpoint.mirrored, r.falloff) = (true, 1));
+    assert_eq!(refine(&mirrored, &mirrored), mirrored);
+}
+
+/// Two wrong colours are one fault where one explains them: exchanged channels, or another power.
+#[test]
+fn two_colours_are_one_fault() {
+    let right = right("3c");
+    for (colors, code) in [
+        ([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], Code::RedBlueSwapped),
+        ([[0.0, 0.0, 0.5], [0.5, 0.0, 0.0]], Code::WrongPower),
+        ([[0.0, 0.0, 1.0 / PI], [1.0 / PI, 0.0, 0.0]], Code::ExtraPi),
+        ([[0.0, 0.0, 0.5], [1.0, 0.0, 0.0]], Code::WrongColour),
+        ([[0.0, 0.4, 0.5], [0.2, 0.3, 0.0]], Code::WrongColour),
+    ] {
+        let guess = turned(&right, |r| r.colors = colors);
+        let found = refine(&guess, &guess);
+        assert_eq!(found.faults(&right), [code], "{colors:?}: {found:?}");
+        let [before, after] = [guess, found].map(|recipe| drawn(&recipe));
+        let off = before
+            .bytes()
+            .iter()
+            .zip(after.bytes())
+            .map(|(a, b)| a.abs_diff(*b))
+            .max();
+        assert!(off <= Some(1), "{colors:?}: {off:?}");
+    }
+}
+
+/// A colour is another's multiple where each component is, give or take two hundredths of the
+/// brightest, and more through a loss.
+#[test]
+fn factors_of_colours() {
+    let of = [0.2, 1.0, 0.0];
+    for by in [0.1, 1.0, 3.0] {
+        let color = of.map(|x| by * x);
+        let found = factor(color, of, 0).expect("a multiple");
+        assert!((found - by).abs() < 1e-12);
+        for (off, tolerance, is_one) in [
+            (0.019, 0, true),
+            (-0.019, 0, true),
+            (0.021, 0, false),
+            (-0.021, 0, false),
+            (0.039, 4, true),
+            (0.041, 4, false),
+        ] {
+            for c in [0, 2] {
+                let mut other = color;
+                other[c] += off * by;
+                assert_eq!(
+                    factor(other, of, tolerance).is_some(),
+                    is_one,
+                    "{by} {off} {tolerance}"
+                );
+            }
+        }
+    }
+    for nothing in [
+        factor([0.0; 3], of, 0),
+        factor([-0.2, -1.0, 0.0], of, 0),
+        factor(of, [0.0; 3], 0),
+    ] {
+        assert_eq!(nothing, None);
+    }
+}
+
+/// What may have moved a shadow is found, each by its own kind of ray, and explains it best.
+#[test]
+fn displacements_are_found() {
+    let right = right("3c");
+    let with = |ray| turned(&right, |r| r.viewpoint.shadow = Some(ray));
+    let exact = ShadowRay::default();
+    let rays = [
+        ShadowRay {
+            offset: 0.3,
+            ..exact
+        },
+        ShadowRay {
+            shift: [0.4, -0.3],
+            ..exact
+        },
+        ShadowRay {
+            light: [-2.0, 1.5],
+            ..exact
+        },
+    ];
+    for (kind, ray) in rays.into_iter().enumerate() {
+        let of = with(ray);
+        let picture = drawn(&of);
+        let evidence = whole(&picture, &Lossless);
+        // The recipe may have another ray from before: it is no start.
+        let found = shadow_rays(
+            &evidence,
+            &with(ShadowRay {
+                offset: 0.1,
+                ..exact
+            }),
+        )
+        .expect("viewpoints");
+        let (recipe, error) = found[kind];
+        assert_eq!(evidence.error(&recipe), Ok(error));
+        assert!(found.iter().all(|(_, other)| *other >= error), "{found:?}");
+        let found = recipe.viewpoint.shadow.expect("a shadow");
+        is_near(found.offset, ray.offset, 0.03);
+        for i in 0..2 {
+            is_near(found.shift[i], ray.shift[i], 0.06);
+            is_near(found.light[i], ray.light[i], 0.3);
+        }
+        let drawn = evidence.drawn(&right).expect("a viewpoint");
+        let displaced = displaced(&picture, &evidence, &right, &drawn).expect("viewpoints");
+        let code = if kind == 0 {
+            Code::OffsetTooLarge
+        } else {
+            Code::ShadowShifted
+        };
+        assert_eq!(displaced.faults(&right), [code]);
+    }
+    for none in [
+        right,
+        turned(&right, |r| r.viewpoint.shadow = None),
+        with(ShadowRay {
+            offset: 0.001,
+            ..exact
+        }),
+    ] {
+        let picture = drawn(&none);
+        let evidence = whole(&picture, &Lossless);
+        let start = turned(&none, |r| {
+            r.viewpoint.shadow = r.viewpoint.shadow.map(|_| exact)
+        });
+        let pixels = evidence.drawn(&start).expect("a viewpoint");
+        let displaced = displaced(&picture, &evidence, &start, &pixels).expect("viewpoints");
+        assert_eq!(displaced, start);
+    }
+}
+
+/// The convention in which a picture was drawn is the one that is found, from any other.
+#[test]
+fn conventions_are_found() {
+    let right = right("3c");
+    let mut all = vec![];
+    for sampling in Sampling::ALL {
+        for rounding in [Rounding::Truncate, Rounding::Nearest] {
+            all.push(turned(&right, |r| {
+                (r.viewpoint.sampling, r.rounding) = (sampling, rounding)
+            }));
+        }
+    }
+    for of in &all {
+        let picture = drawn(of);
+        let evidence = whole(&picture, &Lossless);
+        for from in &all {
+            let found = in_its_conventions(&evidence, *from).expect("viewpoints");
+            assert_eq!(found, *of, "from {from:?}");
+        }
+    }
+    let high = turned(&super::right("1"), |r| r.viewpoint.t_max = f64::INFINITY);
+    for of in [high, high.with_other_t_max()] {
+        let picture = picture(&of, size(130, 310));
+        let evidence = whole(&picture, &Lossless);
+        let found = in_its_conventions(&evidence, of.with_other_t_max()).expect("viewpoints");
+        assert_eq!(found, of);
+    }
+}
+
+/// A loss that mixes a little of each channel into its neighbours.
+struct Bleeds;
+
+impl Loss for Bleeds {
+    fn degrade(&self, _: u32, _: u32, pixels: &mut [[u8; 3]]) {
+        for rgb in pixels {
+            let mean = rgb.iter().map(|&x| f64::from(x)).sum::<f64>() / 3.0;
+            *rgb = rgb.map(|x| (0.9 * f64::from(x) + 0.1 * mean).round() as u8);
+        }
+    }
+
+    fn tolerance(&self) -> u8 {
+        3
+    }
+}
+
+/// What a loss adds to a measured colour is taken off again.
+#[test]
+fn colours_through_a_loss() {
+    let right = right("3c");
+    for (object, color) in [
+        (1, [0.4, 0.8, 0.0]),
+        (0, [0.9, 0.0, 0.1]),
+        (1, [0.0, 0.5, 0.0]),
+    ] {
+        let of = turned(&right, |r| r.colors[object] = color);
+        let black = Picture::black(size(SIZE.0, SIZE.1));
+        let seen = Evidence::new(&black, vec![super::everything(black.size())], &Bleeds);
+        let seen = seen.predicted(&of).expect("a viewpoint");
+        let seen = Picture::from_pixels(black.size(), seen.iter().map(|pixel| pixel.rgb).collect());
+        let seen = seen.expect("all pixels");
+        let evidence = Evidence::new(&seen, vec![super::everything(seen.size())], &Bleeds);
+        let guess = turned(&right, |r| r.colors[object] = color.map(|x| 0.9 * x + 0.04));
+        let found = refined(&evidence, guess, &right).expect("viewpoints");
+        for c in 0..3 {
+            is_near(found.colors[object][c], color[c], 0.02);
+        }
+        assert_eq!(found.colors[1 - object], right.colors[1 - object]);
+    }
+}
