@@ -117,6 +117,7 @@ properties! {
         figures_of_any_size_are_drawn
     }
     in both floats, touch {
+        the_widest_kernel_tells_the_smallest_ends_from_0
         the_widest_kernel_tells_the_slightest_touch
         projected_points_are_as_near_as_they_say
         shadow_rays_start_where_their_strategy_says

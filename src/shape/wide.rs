@@ -83,9 +83,17 @@ impl Units {
     }
 
     /// An interval one precision up, in these units; an end is infinite where it is too large to
-    /// matter.
+    /// matter, and next to 0 where it is too small for its scale: it is not 0.
     pub fn span<S: Scalar>(&self, span: &Span<S>) -> Span<S::Wide> {
-        let parameter = |t: S| rescaled(t.widen(), self.along.unit, self.size.reciprocal);
+        let zero = S::from_f64(0.0);
+        let parameter = |t: S| {
+            let scaled = rescaled(t.widen(), self.along.unit, self.size.reciprocal);
+            if scaled == S::Wide::from_f64(0.0) && t != zero {
+                S::Wide::from_f64(if t < zero { -SMALL } else { SMALL })
+            } else {
+                scaled
+            }
+        };
         Span {
             min: parameter(span.min),
             max: parameter(span.max),
@@ -114,6 +122,9 @@ impl Units {
         rescaled(t, self.size.unit, self.along.reciprocal)
     }
 }
+
+/// 2^-500, whose square is in range.
+const SMALL: f64 = f64::from_bits((1023 - 500) << 52);
 
 /// `t a b` for powers of two a and b, by way of their product where that is a normal number.
 fn rescaled<W: Scalar>(t: W, a: f64, b: f64) -> W {

@@ -61,6 +61,43 @@ pub fn the_widest_kernel_tells_the_slightest_touch<F: Sample>() {
     );
 }
 
+/// From a point on a surface, the hit at 0 is before the smallest number above 0, and beyond the largest
+/// below it, however large the scene is.
+pub fn the_widest_kernel_tells_the_smallest_ends_from_0<F: Sample>() {
+    let sizes = (-40..60i32, -20..20i32, [any::<bool>(); 2], 0..3usize);
+    for_all(sizes, |(size, speed, [outward, negative], axis)| {
+        let sign = |is_negative: bool| if is_negative { -1.0 } else { 1.0 };
+        let along = |length: f64| {
+            let mut v = [0.0; 3];
+            v[axis] = sign(negative) * length;
+            F::Vector::constant((), v)
+        };
+        let fail = |invalid: Invalid| TestCaseError::fail(invalid.to_string());
+        let unit = f64::from(size).exp2();
+        let sphere = Sphere::<F>::new(along(3.0 * unit), F::from_f64(unit)).map_err(fail)?;
+        let plane = Plane::<F>::new(along(4.0 * unit), along(1.0)).map_err(fail)?;
+        let ray = Ray {
+            origin: along(4.0 * unit),
+            direction: along(-sign(outward) * f64::from(speed).exp2()),
+        };
+        let tiny = F::from_f64(F::MIN_POSITIVE * F::EPSILON);
+        let zero = F::from_f64(0.0);
+        for (min, max, has_zero) in [
+            (zero, F::MAX, true),
+            (tiny, F::MAX, false),
+            (-tiny, tiny, true),
+            (-F::MAX, -tiny, false),
+        ] {
+            let hit = plane.intersect(&ray, &Span::new(min, max), Quality::Wide);
+            prop_assert_eq!(hit.mask, has_zero, "plane, {:?} to {:?}", min, max);
+            let hit = sphere.intersect(&ray, &Span::new(min, max), Quality::Wide);
+            let at_zero = hit.mask && hit.t == zero;
+            prop_assert_eq!(at_zero, has_zero, "sphere, {:?} to {:?}", min, max);
+        }
+        Ok(())
+    });
+}
+
 /// The largest of the sizes, times so many unit roundoffs.
 fn most(u: f64, factor: f64, sizes: [RBig; 3]) -> RBig {
     exact(u * factor) * sizes.into_iter().map(abs).max().unwrap_or(RBig::ZERO)

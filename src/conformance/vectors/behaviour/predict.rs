@@ -226,3 +226,6 @@ fn by_distance<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> O
     let direction = F::Vector::new(x, y, z);
     right(&Ray { direction, ..*ray }, ends, surface)
 }
+
+#[cfg(test)]
+mod tests;
