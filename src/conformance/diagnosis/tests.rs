@@ -11,6 +11,7 @@ mod measure;
 mod numbers;
 mod recipe;
 mod speckle;
+mod verdict;
 mod words;
 
 use super::evidence::Evidence;

@@ -1,0 +1,286 @@
+//! From a picture to what is said of it.
+
+use super::{changed, picture, random, right, size, turned, whole};
+use crate::conformance::diagnosis::clauses::with;
+use crate::conformance::diagnosis::finding::Estimate;
+use crate::conformance::diagnosis::loss::{Loss, Lossless};
+use crate::conformance::diagnosis::recipe::{Recipe, ShadowRay};
+use crate::conformance::diagnosis::search::search;
+use crate::conformance::diagnosis::surface::Object;
+use crate::conformance::diagnosis::{Code, Diagnosis, Margin, Sampling, Verdict, diagnose};
+use crate::figure::Figure;
+use crate::picture::Picture;
+
+fn judged(picture: &Picture, figure: &str) -> Diagnosis {
+    let figure = Figure::named(figure).expect("a figure");
+    diagnose(picture, figure, &[]).expect("a size that is judged")
+}
+
+fn codes(diagnosis: &Diagnosis) -> Vec<Code> {
+    diagnosis.findings.iter().map(|found| found.code).collect()
+}
+
+/// A picture of which a part of an object's lit pixels is black, and the places of those.
+fn speckled(recipe: &Recipe, wide: u32, objects: [bool; 2], part: f64) -> (Picture, Vec<usize>) {
+    let size = size(wide, wide * 2 / 3);
+    let right = picture(recipe, size);
+    let drawn = whole(&right, &Lossless).drawn(recipe).expect("a viewpoint");
+    let mut random = random(9);
+    let black: Vec<bool> = drawn
+        .iter()
+        .map(|pixel| {
+            let may = pixel.object.index().is_some_and(|index| objects[index]);
+            may && pixel.is_lit && random() < part
+        })
+        .collect();
+    let places =
+        (0..drawn.len()).filter(|&at| black[at] && drawn[at].rgb.into_iter().max() > Some(2));
+    let places = places.collect();
+    let speckled = changed(&right, |at, rgb| if black[at] { [0; 3] } else { rgb });
+    (speckled, places)
+}
+
+/// Acne is where light should be and is not, on the objects that have it; the part of their pixels
+/// is told.
+#[test]
+fn acne_is_found_where_it_is() {
+    let recipe = right("3c");
+    for (objects, which) in [
+        ([true, true], "sphere and plane"),
+        ([true, false], "sphere"),
+        ([false, true], "plane"),
+    ] {
+        for part in [0.3, 0.8] {
+            let (picture, places) = speckled(&recipe, 120, objects, part);
+            let diagnosis = judged(&picture, "3c");
+            assert_eq!(codes(&diagnosis), [Code::Acne], "{which} {part}");
+            let [acne] = &diagnosis.findings[..] else {
+                panic!("one")
+            };
+            assert_eq!(acne.places, places);
+            assert_eq!(acne.pixels, places.len());
+            assert_eq!(acne.estimates[0], ("object", Estimate::Name(which)));
+            assert_eq!(acne.estimates.len(), 1 + which.split(" and ").count());
+            for (name, estimate) in &acne.estimates[1..] {
+                let Estimate::Number(rate) = estimate else {
+                    panic!("{estimate:?}")
+                };
+                assert!((rate - part).abs() < 0.1, "{name}: {rate} of {part}");
+                let percent = format!("{} %", (1000.0 * rate).round() / 10.0);
+                assert!(acne.message.contains(&percent), "{}", acne.message);
+                assert!(acne.message.contains("are falsely black"));
+            }
+            assert!(!diagnosis.shown.contains(&"4.3"));
+        }
+    }
+    // What 3(a) should have, 3(c) should not, and the other way round.
+    let (picture, _) = speckled(&recipe, 120, [true; 2], 0.6);
+    assert_eq!(judged(&picture, "3a").verdict, Verdict::Conforms);
+    let missing = judged(&super::picture(&recipe, size(120, 80)), "3a");
+    assert_eq!(codes(&missing), [Code::OtherFigure]);
+    let lit = whole(&picture, &Lossless)
+        .drawn(&recipe)
+        .expect("a viewpoint");
+    let lit: Vec<usize> = (0..lit.len()).filter(|&at| lit[at].is_lit).collect();
+    assert_eq!(missing.findings[0].places, lit);
+}
+
+/// A fault's places are those where the picture without it is another.
+#[test]
+fn places_of_a_fault_are_what_it_changes() {
+    let size = size(96, 64);
+    for code in [
+        Code::Mirrored,
+        Code::ExtraPi,
+        Code::WrongBackground,
+        Code::NormalFlipped,
+    ] {
+        let right = right("3c");
+        let faulty = with(&right, code).expect("a fault");
+        let [drawn, of] = [right, faulty].map(|recipe| picture(&recipe, size));
+        let diagnosis = judged(&of, "3c");
+        assert_eq!(codes(&diagnosis), [code]);
+        let pairs = drawn.bytes().chunks(3).zip(of.bytes().chunks(3));
+        let differ = pairs
+            .enumerate()
+            .filter(|(_, (a, b))| (0..3).any(|c| a[c].abs_diff(b[c]) > 2));
+        let places: Vec<usize> = differ.map(|(at, _)| at).collect();
+        assert_eq!(diagnosis.findings[0].places, places, "{code:?}");
+        let region = diagnosis.findings[0].region.expect("some pixels");
+        assert!(
+            places
+                .iter()
+                .all(|&at| region.pixels().any(|(x, y)| at as u32 == y * 96 + x))
+        );
+        assert!(!diagnosis.invisible.contains(&code));
+    }
+}
+
+/// Two findings come with the wider one first.
+#[test]
+fn the_widest_fault_is_first() {
+    let wrong = turned(&right("3c"), |r| {
+        r.colors[0] = [0.1, 0.8, 0.4];
+        r.background = [0.9, 0.9, 0.2];
+    });
+    let diagnosis = judged(&picture(&wrong, size(120, 80)), "3c");
+    assert_eq!(
+        codes(&diagnosis),
+        [Code::WrongBackground, Code::WrongColour]
+    );
+    assert!(diagnosis.findings[0].pixels > diagnosis.findings[1].pixels);
+}
+
+/// What nothing explains is unknown, or another scene where the colours are the lab's.
+#[test]
+fn other_pictures() {
+    let size = size(96, 64);
+    let mut random = random(11);
+    let mut noise = || [random(), random(), random()].map(|x| (255.0 * x) as u8);
+    let pixels = (0..size.pixels()).map(|_| noise()).collect();
+    let noise = judged(
+        &Picture::from_pixels(size, pixels).expect("all pixels"),
+        "3c",
+    );
+    assert_eq!((noise.verdict, noise.findings.len()), (Verdict::Unknown, 0));
+    let blank = judged(&Picture::black(size), "3c");
+    assert_eq!((blank.verdict, blank.findings.len()), (Verdict::Unknown, 0));
+    let stripes = changed(&Picture::black(size), |at, _| match at / 7 % 3 {
+        0 => [200, 0, 0],
+        1 => [0, 0, 200],
+        _ => [127; 3],
+    });
+    let other = judged(&stripes, "3c");
+    assert_eq!(
+        (other.verdict, codes(&other)),
+        (Verdict::Faults, vec![Code::OtherScene])
+    );
+    assert_eq!(other.findings[0].pixels, size.pixels());
+}
+
+/// A margin is a share of the other explanation's error.
+#[test]
+fn margins() {
+    let margin = |error: f64, runner_up_error: f64| {
+        let runner_up = vec![];
+        Margin {
+            error,
+            runner_up,
+            runner_up_error,
+        }
+        .share()
+    };
+    assert_eq!(
+        (margin(0.0, 0.0), margin(3.0, 3.0), margin(4.0, 2.0)),
+        (0.0, 0.0, 0.0)
+    );
+    assert!((margin(1.0, 4.0) - 0.75).abs() < 0.001 && margin(0.0, 50.0) > 0.9999);
+    assert!((margin(0.001, 0.003) - 0.5).abs() < 1e-9);
+    let names = [Verdict::Conforms, Verdict::Faults, Verdict::Unknown].map(Verdict::name);
+    assert_eq!(names, ["conforms", "faults", "unknown"]);
+    for sampling in Sampling::ALL {
+        let name = sampling.name();
+        assert_eq!(name.starts_with("average"), sampling.is_average());
+        let same = Sampling::ALL
+            .into_iter()
+            .filter(|other| other.name() == name);
+        assert_eq!(same.count(), 1);
+    }
+    // A right picture is further from every fault than from itself.
+    let diagnosis = judged(&picture(&right("3c"), size(96, 64)), "3c");
+    assert_eq!(
+        (diagnosis.verdict, diagnosis.margin.error),
+        (Verdict::Conforms, 0.0)
+    );
+    assert!(!diagnosis.margin.runner_up.is_empty() && diagnosis.margin.share() > 0.9);
+}
+
+/// A loss that leaves of each byte its upper part.
+struct Coarse(u8);
+
+impl Loss for Coarse {
+    fn degrade(&self, _: u32, _: u32, pixels: &mut [[u8; 3]]) {
+        for pixel in pixels {
+            *pixel = pixel.map(|byte| byte / self.0 * self.0);
+        }
+    }
+
+    fn tolerance(&self) -> u8 {
+        self.0
+    }
+}
+
+/// Of several losses it is the one that a picture had.
+#[test]
+fn the_loss_is_found() {
+    let (expected, size) = (right("3c"), size(96, 64));
+    let losses: [&dyn Loss; 3] = [&Coarse(3), &Coarse(5), &Coarse(8)];
+    for (number, loss) in losses.iter().enumerate() {
+        for recipe in [expected, with(&expected, Code::Mirrored).expect("a fault")] {
+            let mut pixels = picture(&recipe, size).bytes().as_chunks::<3>().0.to_vec();
+            loss.degrade(96, 64, &mut pixels);
+            let picture = Picture::from_pixels(size, pixels).expect("all pixels");
+            let found = search(&picture, &expected, &losses).expect("viewpoints");
+            assert_eq!(
+                (found.2, found.1.loss.tolerance()),
+                (number, loss.tolerance())
+            );
+        }
+    }
+}
+
+/// Where shadow rays start or end elsewhere, that is told in numbers, and no more than a pixel's worth
+/// is nothing.
+#[test]
+fn displaced_shadows() {
+    let expected = right("3c");
+    let of = |ray: ShadowRay| {
+        let recipe = turned(&expected, |r| r.viewpoint.shadow = Some(ray));
+        judged(&picture(&recipe, size(160, 107)), "3c")
+    };
+    let exact = ShadowRay::default();
+    let offset = of(ShadowRay {
+        offset: 0.3,
+        ..exact
+    });
+    assert_eq!(codes(&offset), [Code::OffsetTooLarge]);
+    let shift = of(ShadowRay {
+        shift: [0.4, -0.3],
+        ..exact
+    });
+    assert_eq!(codes(&shift), [Code::ShadowShifted]);
+    let light = of(ShadowRay {
+        light: [2.0, -1.5],
+        ..exact
+    });
+    assert_eq!(codes(&light), [Code::ShadowShifted]);
+    for (diagnosis, name, by) in [
+        (&shift, "shift", [0.4, -0.3]),
+        (&light, "light_shift", [2.0, -1.5]),
+    ] {
+        let [(told, Estimate::Numbers(numbers))] = &diagnosis.findings[0].estimates[..] else {
+            panic!("{diagnosis:?}");
+        };
+        assert_eq!(*told, name);
+        for (number, by) in numbers.iter().zip(by) {
+            assert!((number - by).abs() < 0.1 * f64::abs(by), "{numbers:?}");
+        }
+    }
+    let [("offset", Estimate::Number(length))] = offset.findings[0].estimates[..] else {
+        panic!("{offset:?}");
+    };
+    assert!((length - 0.3).abs() < 0.03, "{length}");
+    assert_eq!(
+        of(ShadowRay {
+            offset: 0.001,
+            ..exact
+        })
+        .verdict,
+        Verdict::Conforms
+    );
+    // Shadows of no object.
+    let none = turned(&expected, |r| r.viewpoint.has_plane = false);
+    let diagnosis = judged(&picture(&none, size(96, 64)), "3c");
+    assert_eq!(codes(&diagnosis), [Code::PlaneMissing]);
+    assert_eq!(Object::Background.index(), None);
+}
