@@ -170,6 +170,7 @@ properties! {
         losses_of_spheres_are_those_of_the_rim_or_of_the_formula
         losses_of_cosines_are_those_of_angles
         turns_and_bytes_make_up_the_radiance
+        steps_are_those_of_the_traces
         losses_are_told_in_words
     }
     once, chains {

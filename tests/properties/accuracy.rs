@@ -31,6 +31,8 @@ pub fn agreement_at_its_ends<F: Sample>() {
     assert_eq!((opposite.ulps, opposite.bits), (2.0 / F::EPSILON, 0));
     let zero = DoubleDouble::from_f64(0.0);
     assert_eq!(Agreement::of(F::from_f64(1.0), zero).bits, 0);
+    let nothing = Agreement::of(F::from_f64(0.0), zero);
+    assert_eq!((nothing.ulps, nothing.bits), (0.0, F::PRECISION));
     let smallest = F::MIN_POSITIVE * F::EPSILON;
     let third = F::from_f64(3.0 * smallest);
     let first = DoubleDouble::from_f64(smallest);

@@ -3,10 +3,10 @@
 
 use crate::property::{Verdict, for_all, number, positive, vector};
 use glam::DVec3;
-use ombrage::conformance::{Drawing, Explanation, Loss, Step, explain};
+use ombrage::conformance::{Drawing, Explanation, Loss, Step, Trace, explain};
 use ombrage::{
     DirectLighting, DoubleDouble, Film, Integrator, Invalid, Plane, PointLight, Quality, Scene,
-    Shadow, ShadowQuery, Size, Sphere, Triple, View,
+    Shadow, ShadowQuery, Size, Sphere, Triple, Vector, View,
 };
 use proptest::prelude::*;
 use std::cell::Cell;
@@ -291,6 +291,58 @@ pub fn turns_and_bytes_make_up_the_radiance() {
             };
             let level = turns * 256 + u64::from(told.truth.bytes[axis]);
             prop_assert_eq!(level, (radiance[axis] * 255.0) as u64);
+        }
+        Ok(())
+    });
+}
+
+/// Each number on the way is told three times, as each of the three traces has it.
+pub fn steps_are_those_of_the_traces() {
+    for_all_pixels(|_, told, said| {
+        let steps = told.steps(0);
+        let tells = |name: String,
+                     single: Option<f32>,
+                     double: Option<f64>,
+                     truth: Option<DoubleDouble>| {
+            let Some(step) = steps.iter().find(|step| step.name == name) else {
+                let is_there = truth.is_some();
+                prop_assert!(!is_there, "no {name} among the steps");
+                return Ok(());
+            };
+            said.set(said.get() + 1);
+            let single_bits = [step.single, single].map(|x| x.map(f32::to_bits));
+            let double_bits = [step.double, double].map(|x| x.map(f64::to_bits));
+            let truths = [step.truth, truth].map(|x| x.map(|x| format!("{x:?}")));
+            prop_assert_eq!(&single_bits[0], &single_bits[1], "{} in f32", &name);
+            prop_assert_eq!(&double_bits[0], &double_bits[1], "{} in f64", &name);
+            prop_assert_eq!(&truths[0], &truths[1], "{} in truth", &name);
+            Ok(())
+        };
+        let (a, b, c) = (&told.single, &told.double, &told.truth);
+        for i in 0..3 {
+            let (axis, color) = (["x", "y", "z"][i], ["r", "g", "b"][i]);
+            macro_rules! tells {
+                ($name:literal, $letter:ident, |$trace:ident| $vector:expr) => {{
+                    let single = (|$trace: &Trace<f32>| $vector)(a).map(|v| v.to_array()[i]);
+                    let double = (|$trace: &Trace<f64>| $vector)(b).map(|v| v.to_array()[i]);
+                    let truth = (|$trace: &Trace<DoubleDouble>| $vector)(c);
+                    let truth = truth.map(|v| v.to_array()[i]);
+                    tells(format!("{}.{}", $name, $letter), single, double, truth)?;
+                }};
+            }
+            tells!("o", axis, |t| Some(t.ray.origin));
+            tells!("d", axis, |t| Some(t.ray.direction));
+            tells!("p", axis, |t| t.first.map(|first| first.point));
+            tells!("n", axis, |t| t.first.map(|first| first.normal));
+            tells!("l", axis, |t| t
+                .lights
+                .first()
+                .map(|from| from.sample.direction));
+            tells!("E", color, |t| t
+                .lights
+                .first()
+                .map(|from| from.sample.radiance));
+            tells!("L", color, |t| Some(t.radiance));
         }
         Ok(())
     });

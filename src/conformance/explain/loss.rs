@@ -110,17 +110,16 @@ pub(super) fn of_plane(ray: &Ray<D>, plane: &Plane<D>) -> Option<Loss> {
     ])
 }
 
-/// Of the sphere's t, by the formula of the quality.
+/// Of the sphere's t, by the formula of the quality; the ray's direction is a unit vector.
 pub(super) fn of_sphere(ray: &Ray<D>, sphere: &Sphere<D>, quality: Quality) -> Option<Loss> {
     let from_center = ray.origin - sphere.center();
     let rr = sphere.radius() * sphere.radius();
-    let a = ray.direction.dot(ray.direction);
     let b = from_center.dot(ray.direction);
     let moment = from_center.cross(ray.direction);
-    let rest = rr - moment.dot(moment) / a;
+    let rest = rr - moment.dot(moment);
     let tangency = Loss::Tangency(ratio(rr, rest));
-    // b² - ac, of which the square of the distance to the center is the largest term.
-    let cancels = Loss::Cancellation(ratio(b * b, rest * a));
+    // b² - c, of which the square of the distance to the center is the largest term.
+    let cancels = Loss::Cancellation(ratio(b * b, rest));
     // A line as near as this passes the center at 63/64 of the radius or more.
     let touches = tangency.bits() >= 5.0;
     match quality {
