@@ -122,6 +122,7 @@ properties! {
         projected_points_are_as_near_as_they_say
         shadow_rays_start_where_their_strategy_says
         origins_on_the_surface_are_seen_by_direction
+        a_light_on_a_sphere_shines_up_to_the_tangent
     }
     in both floats, accuracy {
         agreement_counts_bits_and_places

@@ -3,7 +3,7 @@
 use crate::exact::{abs, dot, exact, exact_vector, minus, sum};
 use crate::property::{Sample, for_all, positive, unit_roundoff, vector};
 use dashu_ratio::RBig;
-use ombrage::conformance::{Kernels, Offset, Surface};
+use ombrage::conformance::{Kernels, Offset, Shade, Surface};
 use ombrage::{
     HitRecord, Invalid, Plane, Projection, Quality, Ray, Scene, Shadow, Shape, Span, Sphere, Vector,
 };
@@ -294,6 +294,76 @@ pub fn origins_on_the_surface_are_seen_by_direction<F: Sample>() {
             });
             prop_assert_eq!(plane.side(moved), side);
         }
+        Ok(())
+    });
+}
+
+/// From where its way to a point of the sphere touches the sphere there, a light on the sphere shines;
+/// from nearer it does, and from behind it does not. Turned, mirrored and scaled: 15 is the radius, 25
+/// the distance of the lit point, 20 the length of the tangent.
+pub fn a_light_on_a_sphere_shines_up_to_the_tangent<F: Sample>() {
+    let turned = (
+        select(vec![[0, 1, 2], [1, 2, 0], [2, 0, 1]]),
+        [any::<bool>(); 3],
+    );
+    for_all((turned, -8..9i32), |((order, mirrors), size)| {
+        let unit = f64::from(size).exp2();
+        let place = |v: [f64; 3]| {
+            let v: [f64; 3] = std::array::from_fn(|i| {
+                let sign = if mirrors[i] { -unit } else { unit };
+                sign * v[order[i]]
+            });
+            F::Vector::constant((), v)
+        };
+        let one = F::Vector::constant((), [1.0; 3]);
+        let lit = |light: [f64; 3], kernels: Kernels, tmin: f64| {
+            let question = Shade::<F> {
+                ray: Ray {
+                    origin: place([24.0, 0.0, 1.0]),
+                    direction: place([1.0, 0.0, -1.0]),
+                },
+                ends: [F::from_f64(tmin), F::MAX],
+                objects: vec![
+                    (
+                        Surface::Sphere {
+                            center: place([0.0; 3]),
+                            radius: F::from_f64(15.0 * unit),
+                        },
+                        one,
+                    ),
+                    (
+                        Surface::Plane {
+                            point: place([25.0, 0.0, 0.0]),
+                            normal: place([1.0, 0.0, 0.0]),
+                        },
+                        one,
+                    ),
+                ],
+                light: place(light),
+                light_color: one,
+                power: F::from_f64(unit * unit),
+                background: F::from_f64(0.0),
+            };
+            let shaded = kernels.shade(&question);
+            shaded.map(|shaded| shaded.li.to_array()[0].to_f64() > 0.0)
+        };
+        let own = |light| lit(light, Kernels::default(), 0.0);
+        for tangent in [[9.0, 12.0, 0.0], [9.0, -12.0, 0.0], [9.0, 0.0, 12.0]] {
+            prop_assert_eq!(own(tangent), Ok(true), "a tangent, {:?}", tangent);
+        }
+        for nearer in [[15.0, 0.0, 0.0], [12.0, 9.0, 0.0], [12.0, 0.0, -9.0]] {
+            prop_assert_eq!(own(nearer), Ok(true), "from nearer, {:?}", nearer);
+        }
+        for behind in [[0.0, 15.0, 0.0], [-15.0, 0.0, 0.0], [5.0, 10.0, -10.0]] {
+            prop_assert_eq!(own(behind), Ok(false), "from behind, {:?}", behind);
+        }
+        // The lab's rays know no other start than 0.
+        let lab = Kernels {
+            shadow: Some(Shadow::SkipSelf),
+            ..Kernels::default()
+        };
+        prop_assert_eq!(lit([20.0, 3.0, 0.0], lab, 0.0), Ok(true));
+        prop_assert!(lit([20.0, 3.0, 0.0], lab, 0.25).is_err());
         Ok(())
     });
 }

@@ -124,7 +124,8 @@ fn answers_are_read_or_refused() {
         assert!(error.chars().count() < 200, "{error}");
     }
     let just = "x".repeat(58);
-    assert!(t(json!(just)).expect_err("malformed").contains(&just));
+    let error = t(json!(just)).expect_err("malformed");
+    assert!(error.contains(&just) && !error.contains('…'), "{error}");
 }
 
 /// The lines of docs/precision.md name what is allowed as the library does.
@@ -186,4 +187,50 @@ fn wrong_answers_are_told_apart() {
         near += u32::from(verdict.wrong.is_none());
     }
     assert!(far > 30 && near > 30, "{far} far, {near} near");
+}
+
+/// A light sample is a wrong decision where there should be none, and so is none where there should be
+/// one; an origin that stays on its surface is on the wrong side.
+#[test]
+fn what_should_not_be_there_is_wrong() {
+    let cases = vectors(Kernel::LightSample).expect("valid");
+    let right = Trial::of_kit(&cases, Quality::Wide, "f64");
+    let of = |judged: &Judged| {
+        let answer = Answer::<f64>::of(Kernel::LightSample, &judged.out).expect("an answer");
+        let Answer::LightSample(sample) = answer else {
+            panic!("{judged}")
+        };
+        sample
+    };
+    let some = right.judged.iter().find_map(of);
+    assert!(some.is_some());
+    let (mut there, mut none) = (0, 0);
+    for judged in &right.judged {
+        let decided = |sample| judged.case.judge(&Answer::LightSample(sample).out()).wrong;
+        let is_there = of(judged).is_some();
+        let (with, without) = (decided(some), decided(None));
+        assert_eq!(without, (is_there).then_some(Wrong::Decision), "{judged}");
+        assert!(is_there || with == Some(Wrong::Decision), "{judged}");
+        (there, none) = (there + u32::from(is_there), none + u32::from(!is_there));
+    }
+    assert!(
+        there > 50 && none > 5,
+        "{there} with a sample, {none} without"
+    );
+
+    let mut on = 0;
+    let cases = vectors(Kernel::Offset).expect("valid");
+    for case in cases.iter().filter(|case| case.float() == "f64") {
+        let Ok(Question::Offset(question)) = case.question::<f64>() else {
+            continue;
+        };
+        let stays = Answer::<f64>::Offset(question.point).out();
+        let height = case.truth()["height_before"].as_str().expect("a height");
+        let height: f64 = height.parse().expect("a number");
+        if height == 0.0 {
+            assert_eq!(case.judge(&stays).wrong, Some(Wrong::Side), "{}", case.id());
+            on += 1;
+        }
+    }
+    assert!(on > 5, "{on} on their surface");
 }
