@@ -22,8 +22,18 @@ pub fn answer<F: Float>(fault: &str, question: &Question<F>) -> Option<Answer<F>
             let occluded = surfaces.any(|surface| hit(fault, ray, ends, surface).is_some());
             Some(Answer::AnyHit(occluded))
         }
-        Question::Offset(question) if fault == "moves-by-a-constant" => {
-            let way = question.normal * F::from_f64(1e-3);
+        Question::Offset(question) => {
+            let [x, y, z] = question.point.to_array().map(|x| x.to_f64().abs());
+            let way = match fault {
+                "moves-by-a-constant" => 1e-3,
+                // Two constants, one for each side of x.
+                "moves-by-about-a-constant" if question.normal.x().to_f64() < 0.0 => 1e-3,
+                "moves-by-about-a-constant" => 1.004e-3,
+                "moves-in-proportion" => 0.01 * (x + y + z),
+                "stays" => 0.0,
+                _ => return None,
+            };
+            let way = question.normal * F::from_f64(way);
             Some(Answer::Offset(question.point + way))
         }
         _ => None,
