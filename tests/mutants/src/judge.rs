@@ -44,6 +44,7 @@ pub fn try_all(
     order.sort_by_key(|mutant| digest(mutant));
     let records = outcomes.records()?;
     let kills = Kills::default();
+    outcomes.noticing().for_each(|test| kills.count(test));
     let (tried, noticed) = (AtomicUsize::new(0), AtomicUsize::new(0));
     pool::each(effort.jobs, &order, |_, &mutant| {
         let verdict = judged(tree, mutant, judges, outcomes.tried(mutant), &kills, effort)?;
@@ -98,7 +99,7 @@ fn judged(
     Ok(Verdict::NotNoticed { tried, untried })
 }
 
-/// How many mutants each test has noticed in this run.
+/// How many mutants each test has noticed.
 #[derive(Default)]
 struct Kills(Mutex<BTreeMap<String, u32>>);
 

@@ -12,6 +12,7 @@ use mutants::tree::{Tree, has_room};
 use mutants::{programs, reach};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
+use std::num::NonZero;
 use std::process::ExitCode;
 
 /// Say which changes of the code no test notices
@@ -53,8 +54,8 @@ struct Cli {
     budget: f64,
 
     /// How many tests run at a time
-    #[arg(long, value_name = "N", default_value = "2", value_parser = clap::value_parser!(u16).range(1..))]
-    jobs: u16,
+    #[arg(long, value_name = "N", default_value = "2")]
+    jobs: NonZero<u16>,
 
     /// Only print what earlier runs have found
     #[arg(long)]
@@ -134,7 +135,7 @@ fn test(cli: &Cli, project: &Project, mutants: &[Mutant], outcomes: &Outcomes) -
     let effort = Effort {
         seconds: cli.seconds,
         budget: cli.budget,
-        jobs: usize::from(cli.jobs),
+        jobs: usize::from(cli.jobs.get()),
     };
     let digest = tree.digest(&files);
     let bounds = (effort.seconds, effort.jobs);

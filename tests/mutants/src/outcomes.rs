@@ -102,13 +102,21 @@ impl Outcomes {
         self.lines.get(&mutant).map(|line| &line.verdict)
     }
 
+    /// The tests that have noticed mutants, one for each.
+    pub fn noticing(&self) -> impl Iterator<Item = &str> {
+        self.lines.values().filter_map(|line| match &line.verdict {
+            Verdict::Noticed { by } => Some(by.as_str()),
+            _ => None,
+        })
+    }
+
     /// Whether no test is to be tried any more.
     pub fn is_final(&self, mutant: usize) -> bool {
         !matches!(self.of(mutant), None | Some(Verdict::NotNoticed { .. }))
     }
 
-    /// The tests that did not notice a mutant; none if anything has changed in the project since, because
-    /// it may be the tests.
+    /// The tests that did not notice a mutant; none if anything has changed in the project since,
+    /// because it may be the tests.
     pub fn tried(&self, mutant: usize) -> &[String] {
         match self.lines.get(&mutant) {
             Some(Line {

@@ -31,8 +31,8 @@ pub enum End {
     TimedOut,
 }
 
-/// Runs a test of the copy at `tree` with a variable set, for no longer than `limit` seconds. Returns how
-/// it ends, and after how many seconds.
+/// Runs a test of the copy at `tree` with a variable set, for no longer than `limit` seconds. Returns
+/// how it ends, and after how many seconds.
 ///
 /// # Errors
 /// If it cannot be started.

@@ -70,7 +70,10 @@ pub fn build(tree: &Tree, mutants: &[Mutant]) -> Result<Vec<Test>> {
     let built = cargo.stdin(Stdio::null()).stderr(Stdio::inherit()).output();
     let built = built.ok().filter(|output| output.status.success());
     let built = built.ok_or_else(|| {
-        Error::new("the tests do not build with switches: do they without, and is there memory? If so, name fewer files")
+        Error::new(
+            "the tests do not build with switches: if they do without, \
+             name fewer files, which take less memory",
+        )
     })?;
     let printed = String::from_utf8_lossy(&built.stdout);
     let artifacts = printed

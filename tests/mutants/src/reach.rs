@@ -55,10 +55,13 @@ pub fn record(
     let known = |row: &Row| row.tree == digest && (row.seconds.is_some() || row.limit >= seconds);
     let mut rows = records::read::<Row>(&path);
     rows.retain(known);
+    // Those of other copies would only make the file large.
+    fs::write(&path, []).map_err(|error| Error::at(&path, &error))?;
+    let records = Records::open(&path)?;
+    rows.iter().try_for_each(|row| records.add(row))?;
     let done: BTreeSet<String> = rows.into_iter().map(|row| row.test).collect();
     let is_new = |test: &&Test| !done.contains(&test.id());
     let new: Vec<&Test> = tests.iter().filter(is_new).collect();
-    let records = Records::open(&path)?;
     let ended = AtomicUsize::new(0);
     pool::each(jobs, &new, |job, test| {
         let reached = project.room().join(format!("reached.{job}"));

@@ -72,7 +72,7 @@ impl<'a> Report<'a> {
         let share = match tried {
             0 => "nothing was tried".to_owned(),
             _ => format!(
-                "{:.1} % of those tried are noticed",
+                "{:.2} % of those tried are noticed",
                 100.0 * total.noticed as f64 / tried as f64
             ),
         };

@@ -92,7 +92,21 @@ fn assignments_are_statements() {
 
 #[test]
 fn arms_and_guards() {
-    let text = "fn f(a: i32) -> i32 {\n    match a {\n        1 => 2,\n        b\n            if b > 3 =>\n        {\n            4\n        }\n        _ => 5,\n    }\n}\n";
+    let text = [
+        "fn f(a: i32) -> i32 {",
+        "    match a {",
+        "        1 => 2,",
+        "        b",
+        "            if b > 3 =>",
+        "        {",
+        "            4",
+        "        }",
+        "        _ => 5,",
+        "    }",
+        "}",
+    ]
+    .join("\n");
+    let text = text.as_str();
     let guarded = "b\n            if b > 3 =>\n        {\n            4\n        }";
     let made = switched(
         text,
@@ -144,7 +158,15 @@ fn bodies_and_what_is_in_them() {
 
 #[test]
 fn what_can_have_no_switch() {
-    let text = "const A: i32 = 1 + 2;\nconst fn f(a: i32) -> i32 { a - 1 }\nfn g(a: Option<i32>) -> i32 {\n    if let Some(b) = a && b > 1 { b / 2 } else { [0; 4 * 2][0] }\n}\n";
+    let text = [
+        "const A: i32 = 1 + 2;",
+        "const fn f(a: i32) -> i32 { a - 1 }",
+        "fn g(a: Option<i32>) -> i32 {",
+        "    if let Some(b) = a && b > 1 { b / 2 } else { [0; 4 * 2][0] }",
+        "}",
+    ]
+    .join("\n");
+    let text = text.as_str();
     let mut opaque = mutant(text, Genre::FnValue, "if let", 0, "::std::iter::empty()");
     opaque.function = Some(Function {
         return_type: "-> impl Iterator<Item = i32>".into(),
