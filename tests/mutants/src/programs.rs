@@ -1,10 +1,12 @@
 //! The test programs of the copy, and the tests in them.
 
+use crate::blame::Blame;
 use crate::error::{Error, Result};
 use crate::mutant::Mutant;
 use crate::project::output;
 use crate::tree::Tree;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -14,7 +16,7 @@ const NO_JUDGES: [(&str, &str); 5] = [
     ("killed", "kills commands at random moments"),
     ("bench", "measures time, which switches change"),
     ("digests", "computes everything, as faster tests do"),
-    ("report", "reads pages that are already written"),
+    ("report", "draws a page of what other tests measure too"),
 ];
 
 /// The package that the kernels are judged by: it has none of their code.
@@ -65,17 +67,15 @@ struct Profile {
 /// If they cannot be built, or one lists no tests.
 pub fn build(tree: &Tree, mutants: &[Mutant]) -> Result<Vec<Test>> {
     eprintln!("building the tests with switches, which takes minutes");
-    let mut cargo = tree.cargo(&["test", "--no-run", "--workspace"]);
-    cargo.arg("--message-format=json-render-diagnostics");
+    let mut cargo = tree.cargo(&["test", "--no-run", "--workspace", "--message-format=json"]);
     let built = cargo.stdin(Stdio::null()).stderr(Stdio::inherit()).output();
-    let built = built.ok().filter(|output| output.status.success());
-    let built = built.ok_or_else(|| {
-        Error::new(
-            "the tests do not build with switches: if they do without, \
-             name fewer files, which take less memory",
-        )
-    })?;
+    let built = built.map_err(|error| no_build(&error.to_string()))?;
     let printed = String::from_utf8_lossy(&built.stdout);
+    if !built.status.success() {
+        // The errors are in the JSON; the warnings too, about the parentheses of switches.
+        let errors = Blame::of(&printed, &BTreeMap::new()).others;
+        return Err(no_build(errors.first().map_or("see above", String::as_str)));
+    }
     let artifacts = printed
         .lines()
         .filter_map(|line| serde_json::from_str(line).ok());
@@ -84,6 +84,13 @@ pub fn build(tree: &Tree, mutants: &[Mutant]) -> Result<Vec<Test>> {
         tests.extend(tests_of(artifact)?);
     }
     Ok(tests)
+}
+
+fn no_build(why: &str) -> Error {
+    Error::new(format!(
+        "the tests do not build with switches: {why}; if they do without, \
+         name fewer files, which take less memory"
+    ))
 }
 
 /// Whether it is a test program that can notice one of the mutants.
