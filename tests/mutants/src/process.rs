@@ -84,3 +84,40 @@ pub fn run(
     child.wait().map_err(failed)?;
     Ok((end, seconds))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::env;
+
+    const ASKED: &str = "MUTANTS_ASKED";
+
+    /// Does what a variable says: the test that the next one runs.
+    #[test]
+    fn asked() {
+        match env::var(ASKED).unwrap_or_default().as_str() {
+            "fail" => panic!("as asked"),
+            "wait" => thread::sleep(Duration::from_secs(60)),
+            _ => {}
+        }
+    }
+
+    #[test]
+    fn ends_are_told_apart() {
+        let test = Test {
+            program: "mutants".into(),
+            name: "process::tests::asked".into(),
+            executable: env::current_exe().expect("this program"),
+            folder: ".".into(),
+        };
+        let ended = |what: &str, limit| {
+            let variable = Some((ASKED, OsStr::new(what)));
+            run(&test, Path::new("."), variable, limit).expect("it starts")
+        };
+        assert_eq!(ended("pass", 30.0).0, End::Passed);
+        assert_eq!(ended("fail", 30.0).0, End::Failed);
+        let (end, seconds) = ended("wait", 0.5);
+        assert_eq!(end, End::TimedOut);
+        assert!((0.5..30.0).contains(&seconds), "{seconds}");
+    }
+}

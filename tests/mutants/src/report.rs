@@ -88,11 +88,8 @@ impl<'a> Report<'a> {
             if let Some(Verdict::NotNoticed { tried, untried }) = self.outcomes.of(number) {
                 let tests = match (tried.len(), untried) {
                     (0, 0) => "no test reaches it".to_owned(),
-                    (tried, 0) => format!("all {tried} tests that reach it were tried"),
-                    (tried, untried) => {
-                        format!(
-                            "{tried} tests were tried, {untried} slower ones that reach it were not"
-                        )
+                    (tried, slower) => {
+                        format!("tests that reach it: {tried} tried, {slower} slower ones not")
                     }
                 };
                 text += &format!("{} ({tests})\n", mutant.name);
