@@ -31,9 +31,13 @@ struct Long {
 }
 
 /// docs/testing.md says what they are for.
-const LONG: [Long; 10] = [
+const LONG: [Long; 11] = [
     Long {
-        what: "mutation testing (needs cargo-mutants; days for all of src, so name files)",
+        what: "mutation testing of any files in one build (needs cargo-mutants)",
+        how: "cargo run --release --manifest-path tests/mutants/Cargo.toml -- src/film.rs",
+    },
+    Long {
+        what: "mutation testing of one file, a build for each change (needs cargo-mutants; hours)",
         how: "cargo mutants --config .cargo/mutants.toml -p ombrage --file src/film.rs",
     },
     Long {
