@@ -138,7 +138,7 @@ fn small_differences_are_none() {
             .find(|change| change.background != right.background);
         assert_eq!(other.is_some(), is_other, "{by}");
         let floor = turned(&right, |r| {
-            r.colors[1] = [1.0 - 0.02 * level.abs(), 0.5, 0.0]
+            r.colors[1] = [1.0 - 0.02 * level.abs(), 0.5, 0.0];
         });
         let found = changes_of(&floor, &right, &right);
         let other = found
@@ -166,12 +166,15 @@ fn small_differences_are_none() {
     );
 }
 
+/// A fault's name, how a recipe gets it, and whether two recipes have it alike.
+type Knob = (&'static str, fn(&mut Recipe), fn(&Recipe, &Recipe) -> bool);
+
 /// What cannot be told apart is not asked twice: a recipe that has one of these faults is not given
 /// it again, nor one that would hide it.
 #[test]
 fn what_is_there_is_not_asked_again() {
     let right = right("3c");
-    let knobs: [(&str, fn(&mut Recipe), fn(&Recipe, &Recipe) -> bool); 12] = [
+    let knobs: [Knob; 12] = [
         (
             "film",
             |r| r.film = crate::Film::Wrap,

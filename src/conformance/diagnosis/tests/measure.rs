@@ -102,7 +102,7 @@ fn colors() {
                 continue;
             }
             let knobs = turned(&right(figure), |r| {
-                (r.transfer, r.swapped) = (transfer, swapped)
+                (r.transfer, r.swapped) = (transfer, swapped);
             });
             let colors = [0, 1].map(|_| [random(), random(), random()]);
             let drawn = picture(&turned(&knobs, |r| r.colors = colors), small());

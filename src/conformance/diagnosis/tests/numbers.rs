@@ -30,6 +30,12 @@ fn is_near(found: f64, drawn: f64, tolerance: f64) {
     );
 }
 
+fn are_near(found: [f64; 3], drawn: [f64; 3]) {
+    for (found, drawn) in found.into_iter().zip(drawn) {
+        is_near(found, drawn, 0.02);
+    }
+}
+
 /// A field of view is found from one several degrees beside it; with it, colours that were measured
 /// in the wrong one.
 #[test]
@@ -51,9 +57,7 @@ fn fields_of_view_are_found() {
         let guess = turned(&guess, |r| r.colors[1] = [0.25, 0.5, 0.4]);
         let found = refine(&guess, &colored);
         is_near(found.viewpoint.fov, fov, 0.1);
-        for c in 0..3 {
-            is_near(found.colors[1][c], color[c], 0.02);
-        }
+        are_near(found.colors[1], color);
     }
 }
 
@@ -230,7 +234,7 @@ fn displacements_are_found() {
         let picture = drawn(&none);
         let evidence = whole(&picture, &Lossless);
         let start = turned(&none, |r| {
-            r.viewpoint.shadow = r.viewpoint.shadow.map(|_| exact)
+            r.viewpoint.shadow = r.viewpoint.shadow.map(|_| exact);
         });
         let pixels = evidence.drawn(&start).expect("a viewpoint");
         let displaced = displaced(&picture, &evidence, &start, &pixels).expect("viewpoints");
@@ -246,7 +250,7 @@ fn conventions_are_found() {
     for sampling in Sampling::ALL {
         for rounding in [Rounding::Truncate, Rounding::Nearest] {
             all.push(turned(&right, |r| {
-                (r.viewpoint.sampling, r.rounding) = (sampling, rounding)
+                (r.viewpoint.sampling, r.rounding) = (sampling, rounding);
             }));
         }
     }
@@ -301,9 +305,7 @@ fn colours_through_a_loss() {
         let evidence = Evidence::new(&seen, vec![super::everything(seen.size())], &Bleeds);
         let guess = turned(&right, |r| r.colors[object] = color.map(|x| 0.9 * x + 0.04));
         let found = refined(&evidence, guess, &right).expect("viewpoints");
-        for c in 0..3 {
-            is_near(found.colors[object][c], color[c], 0.02);
-        }
+        are_near(found.colors[object], color);
         assert_eq!(found.colors[1 - object], right.colors[1 - object]);
     }
 }

@@ -182,7 +182,7 @@ fn radiance_of_bytes() {
     for transfer in TRANSFERS {
         for rounding in [Rounding::Truncate, Rounding::Nearest] {
             let recipe = turned(&right("1"), |r| {
-                (r.transfer, r.rounding) = (transfer, rounding)
+                (r.transfer, r.rounding) = (transfer, rounding);
             });
             for byte in 0..=255 {
                 let radiance = recipe.radiance_of(byte);

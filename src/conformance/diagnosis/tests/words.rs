@@ -108,7 +108,7 @@ fn kinds_are_told_apart() {
         assert_eq!(one(Code::OtherFigure, turn).2, is(figure));
     }
     let (_, name, _) = one(Code::WrongPower, |r| {
-        (r.light_at_eye, r.power) = (true, 0.5)
+        (r.light_at_eye, r.power) = (true, 0.5);
     });
     assert_eq!(name, "factor");
     let (_, name, estimate) = one(Code::WrongPower, |r| r.power = 0.5);

@@ -18,7 +18,7 @@ fn told<F: Float>(way: Meet<F>, (from, speed, ends): Asked, surface: &Surface<F>
         origin: at::<F>(from),
         direction: at::<F>(speed),
     };
-    way(&ray, ends.map(F::from_f64), surface).map(|t| t.to_f64())
+    way(&ray, ends.map(F::from_f64), surface).map(F::to_f64)
 }
 
 /// From 3 to 7.
