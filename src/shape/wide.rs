@@ -123,7 +123,7 @@ impl Units {
     }
 }
 
-/// 2^-500, whose square is in range.
+/// 2^-500, whose square is in range. Hits between 0 and it count as at 0 for an end that is lost.
 const SMALL: f64 = f64::from_bits((1023 - 500) << 52);
 
 /// `t a b` for powers of two a and b, by way of their product where that is a normal number.

@@ -74,8 +74,7 @@ fn every_second_fault_is_a_change() {
     }
 }
 
-/// No change leaves a recipe as it is, none comes twice, and each has a fault more or another one:
-/// none that is made is unmade in passing.
+/// No change leaves a recipe as it is, none comes twice, and each has a fault that was not there.
 #[test]
 fn changes_add_faults() {
     for figure in FIGURES {
@@ -91,14 +90,8 @@ fn changes_add_faults() {
                 let words = format!("{figure} {code:?}: {before:?} to {after:?}");
                 assert_ne!(*change, recipe, "{words}");
                 assert!(!found[..number].contains(change), "{words}");
-                assert!(
-                    after.len() > before.len()
-                        || after.contains(&Code::OtherFigure)
-                        || after != before,
-                    "{words}"
-                );
-                let added = after.iter().filter(|code| !before.contains(code)).count();
-                assert!(added >= 1, "{words}");
+                let adds = after.iter().any(|code| !before.contains(code));
+                assert!(adds, "{words}");
             }
         }
     }

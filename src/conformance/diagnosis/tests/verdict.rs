@@ -6,7 +6,6 @@ use crate::conformance::diagnosis::finding::Estimate;
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::recipe::{Recipe, ShadowRay};
 use crate::conformance::diagnosis::search::search;
-use crate::conformance::diagnosis::surface::Object;
 use crate::conformance::diagnosis::{Code, Diagnosis, Margin, Sampling, Verdict, diagnose};
 use crate::figure::Figure;
 use crate::picture::Picture;
@@ -282,5 +281,4 @@ fn displaced_shadows() {
     let none = turned(&expected, |r| r.viewpoint.has_plane = false);
     let diagnosis = judged(&picture(&none, size(96, 64)), "3c");
     assert_eq!(codes(&diagnosis), [Code::PlaneMissing]);
-    assert_eq!(Object::Background.index(), None);
 }
