@@ -4,6 +4,7 @@
 mod naive;
 
 mod changes;
+mod clauses;
 mod drawing;
 mod evidence;
 mod fit;
