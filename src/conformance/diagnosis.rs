@@ -8,9 +8,11 @@
 //! program's every rounding; it is judged by its statistics.
 
 mod acne;
+mod best;
 mod changes;
 mod clauses;
 mod code;
+mod color;
 mod evidence;
 mod finding;
 mod fit;

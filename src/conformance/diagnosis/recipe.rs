@@ -249,6 +249,15 @@ impl Recipe {
         }
     }
 
+    /// The recipe with the other way to make a number a whole one.
+    pub fn with_other_rounding(mut self) -> Self {
+        self.rounding = match self.rounding {
+            Rounding::Truncate => Rounding::Nearest,
+            Rounding::Nearest => Rounding::Truncate,
+        };
+        self
+    }
+
     /// The recipe with the other convention for the largest parameter of a primary hit.
     pub fn with_other_t_max(mut self) -> Self {
         let t_max = &mut self.viewpoint.t_max;

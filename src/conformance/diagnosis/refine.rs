@@ -1,10 +1,11 @@
 //! Numbers that a recipe needs and a picture does not say outright: found by trying.
 
+use super::best::{Best, UNLIKELY};
 use super::changes::{SAME_POWER, differs};
+use super::color;
 use super::evidence::Evidence;
 use super::measure;
-use super::recipe::{Recipe, ShadowRay};
-use super::search::UNLIKELY;
+use super::recipe::Recipe;
 use super::surface::Object;
 use crate::error::Invalid;
 use std::f64::consts::PI;
@@ -12,85 +13,84 @@ use std::f64::consts::PI;
 /// The recipe with its wrong numbers as near to the picture as trying brings them.
 pub(super) fn refined(
     evidence: &Evidence,
-    mut recipe: Recipe,
+    recipe: Recipe,
     expected: &Recipe,
 ) -> Result<Recipe, Invalid> {
-    if recipe.viewpoint.fov != expected.viewpoint.fov {
+    let mut best = if recipe.viewpoint.fov == expected.viewpoint.fov {
+        Best::of(evidence, recipe)?
+    } else {
         // What was measured in another field of view may mean nothing.
         let mut plain = recipe;
         (plain.power, plain.colors) = (expected.power, expected.colors);
-        let (found, error) = in_its_field_of_view(evidence, recipe, expected)?;
+        let mut best = in_its_field_of_view(evidence, plain, expected)?;
         if plain != recipe {
-            let (plain, its_error) = in_its_field_of_view(evidence, plain, expected)?;
-            recipe = if its_error <= error { plain } else { found };
-        } else {
-            recipe = found;
+            best.consider(in_its_field_of_view(evidence, recipe, expected)?.recipe)?;
         }
+        best
+    };
+    if best.recipe.power != expected.power && best.recipe.power != 1.0 / PI {
+        let power = |r: &mut Recipe, step: f64| r.power *= 1.0 + step;
+        best.descend(&[power], (0.04, 0.0005))?;
     }
-    if recipe.power != expected.power && recipe.power != 1.0 / PI {
-        search(evidence, &mut recipe, 0.04, 0.0005, |r, step| {
-            r.power *= 1.0 + step;
-        })?;
-    }
-    if recipe.viewpoint.shadow.is_some_and(|ray| ray.offset != 0.0) {
-        search(evidence, &mut recipe, 0.5, 0.01, |r, step| {
+    let shadow = best.recipe.viewpoint.shadow.unwrap_or_default();
+    if shadow.offset != 0.0 {
+        let offset = |r: &mut Recipe, step| {
             if let Some(ray) = &mut r.viewpoint.shadow {
                 ray.offset *= 1.0 + step;
             }
-        })?;
+        };
+        best.descend(&[offset], (0.5, 0.01))?;
     }
     for object in [0, 1] {
-        if evidence.loss.tolerance() > 0 && recipe.colors[object] != expected.colors[object] {
-            refine_color(evidence, &mut recipe, object)?;
+        if evidence.loss.tolerance() > 0 && best.recipe.colors[object] != expected.colors[object] {
+            color::refine(evidence, &mut best, object)?;
         }
     }
-    let recipe = factored(recipe, expected);
+    let recipe = factored(best.recipe, expected);
     Ok(snapped(recipe, expected, evidence.loss.tolerance()))
 }
 
-/// The recipe with the field of view that fits best, and its error.
-fn in_its_field_of_view(
-    evidence: &Evidence,
-    mut recipe: Recipe,
+/// The recipe with the field of view that fits best.
+fn in_its_field_of_view<'a>(
+    evidence: &'a Evidence<'a>,
+    recipe: Recipe,
     expected: &Recipe,
-) -> Result<(Recipe, f64), Invalid> {
+) -> Result<Best<'a>, Invalid> {
     let turn = |r: &mut Recipe, step: f64| {
         r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
     };
-    search(evidence, &mut recipe, 4.0, 0.05, turn)?;
-    measured_again(evidence, &mut recipe, expected)?;
-    // Each row that becomes background or plane makes a small step in the error: look beyond.
-    let mut best = (recipe, evidence.error(&recipe)?);
-    if best.1 > UNLIKELY {
+    let mut guess = Best::of(evidence, recipe)?;
+    guess.descend(&[turn], (4.0, 0.05))?;
+    let measured = measured_again(evidence, guess.recipe, expected)?;
+    let mut best = Best::of(evidence, measured)?;
+    if best.error > UNLIKELY {
         return Ok(best);
     }
+    // Each row that becomes background or plane makes a small step in the error: look beyond.
     for step in -NEAR..=NEAR {
-        let mut tried = recipe;
+        let mut tried = measured;
         turn(&mut tried, 0.05 * f64::from(step));
-        let error = evidence.error(&tried)?;
-        if error < best.1 {
-            best = (tried, error);
-        }
+        best.consider(tried)?;
     }
-    search(evidence, &mut best.0, 0.04, 0.002, turn)?;
-    Ok((best.0, evidence.error(&best.0)?))
+    best.descend(&[turn], (0.04, 0.002))?;
+    Ok(best)
 }
 
 /// Measures wrong colours again, now that the right pixels are known.
 fn measured_again(
     evidence: &Evidence,
-    recipe: &mut Recipe,
+    mut recipe: Recipe,
     expected: &Recipe,
-) -> Result<(), Invalid> {
+) -> Result<Recipe, Invalid> {
     for object in [Object::Sphere, Object::Plane] {
         if let Some(index) = object.index()
             && recipe.colors[index] != expected.colors[index]
-            && let Some(color) = measure::color(evidence, recipe, object)?
+            && let Some(color) = measure::color(evidence, &recipe, object)?
         {
             recipe.colors[index] = color;
         }
     }
-    Ok(())
+    Ok(recipe)
 }
 
 /// Two wrong colours said more simply, where the expected ones explain them: red and blue are
@@ -126,7 +126,7 @@ pub(super) fn factor(color: [f64; 3], of: [f64; 3], tolerance: u8) -> Option<f64
 }
 
 /// The recipe with the expected numbers where its own are the same but for noise.
-fn snapped(mut recipe: Recipe, expected: &Recipe, tolerance: u8) -> Recipe {
+pub(super) fn snapped(mut recipe: Recipe, expected: &Recipe, tolerance: u8) -> Recipe {
     let same = SAME_POWER * (1.0 + f64::from(tolerance) / 3.0);
     for power in [expected.power, expected.power / PI] {
         if (recipe.power / power - 1.0).abs() <= same {
@@ -144,153 +144,8 @@ fn snapped(mut recipe: Recipe, expected: &Recipe, tolerance: u8) -> Recipe {
     recipe
 }
 
-/// A colour that was measured through a loss. What the loss does to a measurement is measured on
-/// the prediction, and taken off; then small components are tried as 0, and all of them moved.
-fn refine_color(evidence: &Evidence, recipe: &mut Recipe, index: usize) -> Result<(), Invalid> {
-    let object = [Object::Sphere, Object::Plane][index];
-    let Some(seen) = measure::color(evidence, recipe, object)? else {
-        return Ok(());
-    };
-    let mut tried = *recipe;
-    let mut error = evidence.error(recipe)?;
-    for _ in 0..CORRECTIONS {
-        let predicted: Vec<_> = evidence.predicted(&tried)?.iter().map(|p| p.rgb).collect();
-        let Some(mine) = measure::color_in(&predicted, evidence, &tried, object)? else {
-            break;
-        };
-        for (component, (seen, mine)) in tried.colors[index].iter_mut().zip(seen.iter().zip(mine)) {
-            *component = (*component + seen - mine).max(0.0);
-        }
-        let its_error = evidence.error(&tried)?;
-        if its_error < error {
-            (*recipe, error) = (tried, its_error);
-        }
-    }
-    for tried in without_traces(*recipe, index) {
-        let its_error = evidence.error(&tried)?;
-        if its_error < error {
-            (*recipe, error) = (tried, its_error);
-        }
-    }
-    search(evidence, recipe, 0.01, 0.001, |r, step| {
-        r.colors[index] = r.colors[index].map(|x| x * (1.0 + step));
-    })?;
-    for component in [0, 1, 2] {
-        search(evidence, recipe, 0.01, 0.001, |r, step| {
-            let color = &mut r.colors[index][component];
-            *color = (*color + step).max(0.0);
-        })?;
-    }
-    Ok(())
-}
-
-/// The recipes with some of a colour's small components at 0: one alone may gain nothing.
-fn without_traces(recipe: Recipe, index: usize) -> Vec<Recipe> {
-    let without = |which: usize| {
-        let mut tried = recipe;
-        for (component, x) in tried.colors[index].iter_mut().enumerate() {
-            if which >> component & 1 == 1 && *x < SMALL {
-                *x = 0.0;
-            }
-        }
-        tried
-    };
-    (1..8)
-        .map(without)
-        .filter(|tried| *tried != recipe)
-        .collect()
-}
-
-/// How often a measured colour is corrected.
-const CORRECTIONS: usize = 5;
-
-/// A component that may be 0, but for what bleeds into it.
-const SMALL: f64 = 0.3;
-
 /// Twentieths of a degree that are looked at to each side.
 const NEAR: i32 = 12;
 
 /// Fields of view differ by so many degrees.
 const SAME_FOV: f64 = 0.1;
-
-/// Moves one number by smaller and smaller steps, as long as that brings the recipe nearer.
-fn search(
-    evidence: &Evidence,
-    recipe: &mut Recipe,
-    mut step: f64,
-    smallest: f64,
-    turn: impl Fn(&mut Recipe, f64),
-) -> Result<(), Invalid> {
-    let mut error = evidence.error(recipe)?;
-    while step > smallest {
-        let mut moved = false;
-        for by in [step, -step] {
-            let mut tried = *recipe;
-            turn(&mut tried, by);
-            let its_error = evidence.error(&tried)?;
-            if its_error < error {
-                (*recipe, error, moved) = (tried, its_error, true);
-                break;
-            }
-        }
-        if !moved {
-            step /= 2.0;
-        }
-    }
-    Ok(())
-}
-
-/// Moves one number of a shadow ray by a step.
-type Turn<'a> = &'a dyn Fn(&mut ShadowRay, f64);
-
-/// The recipe with the shadow ray that fits best, of all that differ from the recipe's own by
-/// `turns`, each a direction to go in.
-fn walk(
-    evidence: &Evidence,
-    recipe: &Recipe,
-    turns: &[Turn],
-    (largest, smallest): (f64, f64),
-) -> Result<(Recipe, f64), Invalid> {
-    let mut best = *recipe;
-    let mut error = evidence.error(recipe)?;
-    let mut step = largest;
-    while step > smallest {
-        let mut moved = false;
-        for turn in turns {
-            for by in [step, -step] {
-                let mut tried = best;
-                if let Some(ray) = &mut tried.viewpoint.shadow {
-                    turn(ray, by);
-                }
-                let its_error = evidence.error(&tried)?;
-                if its_error < error {
-                    (best, error, moved) = (tried, its_error, true);
-                }
-            }
-        }
-        if !moved {
-            step /= 2.0;
-        }
-    }
-    Ok((best, error))
-}
-
-/// The shadow rays that may explain where the shadow's edge is: an offset along the normal, a
-/// shift of the origin, another place of the light; each with its error on this evidence.
-pub(super) fn shadow_rays(
-    evidence: &Evidence,
-    recipe: &Recipe,
-) -> Result<[(Recipe, f64); 3], Invalid> {
-    let mut exact = *recipe;
-    exact.viewpoint.shadow = Some(ShadowRay::default());
-    let offset: Turn = &|ray, step| ray.offset = (ray.offset + step).max(0.0);
-    let x: Turn = &|ray, step| ray.shift[0] += step;
-    let z: Turn = &|ray, step| ray.shift[1] += step;
-    let light_x: Turn = &|ray, step| ray.light[0] += step;
-    let light_z: Turn = &|ray, step| ray.light[1] += step;
-    Ok([
-        walk(evidence, &exact, &[offset], (0.512, 0.0005))?,
-        walk(evidence, &exact, &[x, z], (0.512, 0.002))?,
-        walk(evidence, &exact, &[light_x, light_z], (2.048, 0.01))?,
-    ])
-}

@@ -1,9 +1,10 @@
 //! The search for the recipe of a picture.
 
+use super::best::{Best, HOPELESS, NOTHING, UNLIKELY};
 use super::changes::changes;
 use super::evidence::Evidence;
 use super::loss::{Loss, Lossless};
-use super::recipe::{Recipe, Rounding, Sampling};
+use super::recipe::{Recipe, Sampling};
 use super::refine::refined;
 use crate::error::Invalid;
 use crate::picture::Picture;
@@ -51,35 +52,34 @@ pub(super) fn search<'a>(
 ) -> Result<(Vec<Candidate>, Evidence<'a>, usize), Invalid> {
     let rough = Evidence::sample(picture, ROUGH, &Lossless);
     let candidates = roughly(&rough, expected, losses.is_empty())?;
+    let fine = |loss| Evidence::sample(picture, FINE, loss);
     let mut nearest: Option<(Evidence, usize, f64)> = None;
     for (number, loss) in losses.iter().enumerate() {
-        let fine = Evidence::sample(picture, FINE, *loss);
-        let mut least: Option<(Recipe, f64)> = None;
-        for candidate in candidates.iter().take(PURSUED) {
-            let error = fine.error(&candidate.recipe)?;
-            if least.is_none_or(|(_, least)| error < least) {
-                least = Some((candidate.recipe, error));
-            }
-        }
-        // In another sampling, another loss may seem to fit.
-        let Some((recipe, mut least)) = least else {
-            continue;
-        };
-        if losses.len() > 1 && least <= HOPELESS {
-            least = fine.error(&in_its_conventions(&fine, recipe)?)?;
-        }
-        if nearest.as_ref().is_none_or(|(.., known)| least < *known) {
-            nearest = Some((fine, number, least));
+        let fine = fine(*loss);
+        let error = least_error(&fine, &candidates)?;
+        if nearest.as_ref().is_none_or(|(.., least)| error < *least) {
+            nearest = Some((fine, number, error));
         }
     }
-    Ok(match nearest {
-        Some((fine, number, _)) => (candidates, fine, number),
-        None => (candidates, Evidence::sample(picture, FINE, &Lossless), 0),
-    })
+    let (fine, number, _) = nearest.unwrap_or_else(|| (fine(&Lossless), 0, 0.0));
+    Ok((candidates, fine, number))
 }
 
-/// Errors below this leave nothing to explain, where nothing was lost.
-const NOTHING: f64 = 0.04;
+/// How near the candidates come to the picture. In another sampling than theirs, another loss may seem
+/// to fit.
+fn least_error(evidence: &Evidence, candidates: &[Candidate]) -> Result<f64, Invalid> {
+    let [first, rest @ ..] = candidates else {
+        return Ok(f64::INFINITY);
+    };
+    let mut best = Best::of(evidence, first.recipe)?;
+    for candidate in rest.iter().take(PURSUED - 1) {
+        best.consider(candidate.recipe)?;
+    }
+    if best.error > HOPELESS {
+        return Ok(best.error);
+    }
+    evidence.error(&in_its_conventions(evidence, best.recipe)?)
+}
 
 /// The recipes nearest to the picture, of all with a few faults.
 fn roughly(
@@ -141,12 +141,6 @@ pub(super) fn finely(
     Ok(nearest(best, expected, BEAM))
 }
 
-/// Errors above this, in levels, are not those of a recipe whose numbers are a little off.
-pub(super) const HOPELESS: f64 = 24.0;
-
-/// Errors above this, in levels, are not made by another convention.
-pub(super) const UNLIKELY: f64 = 8.0;
-
 /// Candidates whose conventions and numbers are looked for.
 const PURSUED: usize = 4;
 
@@ -183,28 +177,17 @@ pub(super) fn nearest(
 
 /// The recipe in the sampling, the rounding and the `t_max` that fit best.
 pub(super) fn in_its_conventions(evidence: &Evidence, recipe: Recipe) -> Result<Recipe, Invalid> {
-    let mut best = (recipe, evidence.error(&recipe)?);
-    let mut consider = |tried: Recipe| {
-        let error = evidence.error(&tried)?;
-        if error < best.1 {
-            best = (tried, error);
-        }
-        Ok::<(Recipe, f64), Invalid>(best)
-    };
-    let mut tried = recipe;
-    tried.rounding = match recipe.rounding {
-        Rounding::Truncate => Rounding::Nearest,
-        Rounding::Nearest => Rounding::Truncate,
-    };
-    let (rounded, _) = consider(tried)?;
-    let mut sampled = (rounded, f64::INFINITY);
+    let mut best = Best::of(evidence, recipe)?;
+    best.consider(recipe.with_other_rounding())?;
+    let rounded = best.recipe;
     for sampling in Sampling::ALL {
         // Averages cost most; they are tried where no single ray explains the silhouettes.
-        if !sampling.is_average() || sampled.1 > NOTHING {
+        if !sampling.is_average() || best.error > NOTHING {
             let mut tried = rounded;
             tried.viewpoint.sampling = sampling;
-            sampled = consider(tried)?;
+            best.consider(tried)?;
         }
     }
-    Ok(consider(sampled.0.with_other_t_max())?.0)
+    best.consider(best.recipe.with_other_t_max())?;
+    Ok(best.recipe)
 }

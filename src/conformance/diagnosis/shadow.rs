@@ -1,20 +1,18 @@
 //! Where the shadow's edge lies: at full resolution, and only there.
 
+use super::best::Best;
 use super::evidence::{Evidence, tiles_of};
+use super::fit::around;
 use super::recipe::{Recipe, ShadowRay};
-use super::refine::shadow_rays;
 use super::shade::Drawn;
 use super::surface::{Object, Region};
 use crate::error::Invalid;
 use crate::picture::{Picture, Size};
 
-/// Shorter offsets, in scene units, move no shadow that one could see.
-const SHORTEST: f64 = 0.002;
-
 /// What a displacement must gain, in levels of all pixels together: a dozen pixels that turn from
 /// shadow to light in a picture as wide as the lab's; fewer in one whose shadow has fewer.
-fn least_gain(picture: &Picture) -> f64 {
-    let wide = f64::from(picture.size().width()) / f64::from(Size::LAB.width());
+pub(super) fn least_gain(size: Size) -> f64 {
+    let wide = f64::from(size.width()) / f64::from(Size::LAB.width());
     500.0 * wide.clamp(0.25, 1.0)
 }
 
@@ -30,64 +28,95 @@ pub(super) fn displaced(
     let Some(around) = shadow_region(whole, recipe, drawn).filter(|_| is_clear) else {
         return Ok(*recipe);
     };
-    let regions = tiles_of(picture.size())
-        .map(|(.., tile)| tile)
-        .filter(|tile| overlap(*tile, around))
-        .collect();
+    let tiles = tiles_of(picture.size()).map(|(.., tile)| tile);
+    let regions = tiles.filter(|tile| tile.meets(around)).collect();
     let evidence = Evidence::new(picture, regions, whole.loss);
     let pixels = evidence.observed.len() as f64;
-    let least_gain = least_gain(picture);
     let mut exact = *recipe;
     exact.viewpoint.shadow = Some(ShadowRay::default());
     let error = evidence.error(&exact)?;
-    if error * pixels < least_gain || !is_worth_a_walk(&evidence, &exact, error)? {
+    let is_enough = |gain: f64| gain * pixels > least_gain(picture.size());
+    if !is_enough(error) || !is_worth_a_walk(&evidence, exact)? {
         return Ok(exact);
     }
-    let [offset, shift, light] = shadow_rays(&evidence, recipe)?;
-    let is_better = |other: f64| other < 0.8 * error && (error - other) * pixels > least_gain;
-    let beside = if light.1 < 0.9 * shift.1 {
-        light
-    } else {
-        shift
-    };
-    let is_offset = offset.1 <= 1.2 * beside.1 + 0.02;
-    let length = offset.0.viewpoint.shadow.unwrap_or_default().offset;
-    Ok(if is_offset && is_better(offset.1) && length >= SHORTEST {
-        offset.0
-    } else if !is_offset && is_better(beside.1) {
-        beside.0
-    } else {
-        exact
+    let [offset, shift, light] = shadow_rays(&evidence, exact)?;
+    // Where both explain it, the origin is off: that is the simpler mistake.
+    let is_light = light.error < 0.9 * shift.error;
+    let beside = if is_light { light } else { shift };
+    let is_offset = offset.error <= 1.2 * beside.error + 0.02;
+    let found = if is_offset { offset } else { beside };
+    let is_better = found.error < 0.8 * error && is_enough(error - found.error);
+    Ok(match is_better {
+        true => found.recipe,
+        false => exact,
     })
 }
 
-/// Whether some displacement brings the shadow nearer.
-fn is_worth_a_walk(evidence: &Evidence, exact: &Recipe, error: f64) -> Result<bool, Invalid> {
-    let offsets = [0.02, 0.1, 0.4].map(|offset| (offset, [0.0; 2]));
-    let shifts = [
-        [0.1, 0.0],
-        [-0.1, 0.0],
-        [0.0, 0.1],
-        [0.0, -0.1],
-        [0.0, -0.5],
-        [0.5, 0.0],
-    ];
-    for (offset, shift) in offsets.into_iter().chain(shifts.map(|shift| (0.0, shift))) {
-        let mut tried = *exact;
-        tried.viewpoint.shadow = Some(ShadowRay {
-            offset,
-            shift,
-            ..ShadowRay::default()
-        });
-        if evidence.error(&tried)? < 0.97 * error {
-            return Ok(true);
+/// Moves a number of a shadow ray by a step.
+type Turn = fn(&mut ShadowRay, f64);
+
+/// The origin's way along the normal.
+const OFFSET: [Turn; 1] = [|ray, step| ray.offset = (ray.offset + step).max(0.0)];
+
+/// The origin's way along x and z.
+const SHIFT: [Turn; 2] = [
+    |ray, step| ray.shift[0] += step,
+    |ray, step| ray.shift[1] += step,
+];
+
+/// The light's way along x and z.
+const LIGHT: [Turn; 2] = [
+    |ray, step| ray.light[0] += step,
+    |ray, step| ray.light[1] += step,
+];
+
+/// The same for a recipe.
+fn of_recipe(turn: Turn) -> impl Fn(&mut Recipe, f64) {
+    move |recipe, step| {
+        if let Some(ray) = &mut recipe.viewpoint.shadow {
+            turn(ray, step);
         }
     }
-    Ok(false)
+}
+
+/// Whether some displacement of the origin brings the shadow nearer. Offsets of less than half of the
+/// least that is tried, in scene units, move no shadow that one could see.
+pub(super) fn is_worth_a_walk(evidence: &Evidence, exact: Recipe) -> Result<bool, Invalid> {
+    let mut best = Best::of(evidence, exact)?;
+    let enough = 0.97 * best.error;
+    for by in [0.02, 0.1, 0.4] {
+        for turn in OFFSET.into_iter().chain(SHIFT) {
+            for step in [by, -by] {
+                let mut tried = exact;
+                of_recipe(turn)(&mut tried, step);
+                best.consider(tried)?;
+            }
+        }
+    }
+    Ok(best.error < enough)
+}
+
+/// The shadow rays that may explain where the shadow's edge is, each the best of its kind: an offset
+/// along the normal, a shift of the origin, another place of the light.
+pub(super) fn shadow_rays<'a>(
+    evidence: &'a Evidence<'a>,
+    exact: Recipe,
+) -> Result<[Best<'a>; 3], Invalid> {
+    let walk = |turns: &[Turn], steps| {
+        let turns: Vec<_> = turns.iter().map(|turn| of_recipe(*turn)).collect();
+        let mut best = Best::of(evidence, exact)?;
+        best.descend(&turns, steps)?;
+        Ok(best)
+    };
+    Ok([
+        walk(&OFFSET, (0.512, 0.0005))?,
+        walk(&SHIFT, (0.512, 0.002))?,
+        walk(&LIGHT, (2.048, 0.01))?,
+    ])
 }
 
 /// The part of the plane that is in shadow, where the recipe or the picture has it.
-fn shadow_region(whole: &Evidence, recipe: &Recipe, drawn: &[Drawn]) -> Option<Region> {
+pub(super) fn shadow_region(whole: &Evidence, recipe: &Recipe, drawn: &[Drawn]) -> Option<Region> {
     let dark = |rgb: [u8; 3]| rgb.into_iter().max().unwrap_or(0) < 12;
     let channel = recipe.channels()[0];
     let pixels = drawn.iter().zip(&whole.observed).enumerate();
@@ -98,10 +127,5 @@ fn shadow_region(whole: &Evidence, recipe: &Recipe, drawn: &[Drawn]) -> Option<R
         })
         .map(|(at, _)| at)
         .collect();
-    super::fit::around(&shadow, whole.size.width())
-}
-
-fn overlap(a: Region, b: Region) -> bool {
-    let apart = |a: u32, width: u32, b: u32, other: u32| a + width + 1 < b || b + other + 1 < a;
-    !apart(a.left, a.width, b.left, b.width) && !apart(a.top, a.height, b.top, b.height)
+    around(&shadow, whole.size.width())
 }

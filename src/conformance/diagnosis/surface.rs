@@ -89,6 +89,15 @@ impl Region {
         let columns = move || self.left..self.left + self.width;
         rows.flat_map(move |y| columns().map(move |x| (x, y)))
     }
+
+    /// Whether two rectangles have a pixel in common, or touch.
+    pub(super) fn meets(self, other: Region) -> bool {
+        let apart = |a: u32, width: u32, b: u32| a + width < b;
+        !apart(self.left, self.width, other.left)
+            && !apart(other.left, other.width, self.left)
+            && !apart(self.top, self.height, other.top)
+            && !apart(other.top, other.height, self.top)
+    }
 }
 
 /// Rays a side of a pixel that is averaged where it is not of one piece.

@@ -11,6 +11,7 @@ mod fit;
 mod measure;
 mod numbers;
 mod recipe;
+mod shadow;
 mod speckle;
 mod verdict;
 mod words;

@@ -1,6 +1,7 @@
 //! From the recipe that was found to a verdict.
 
 use super::acne::Speckle;
+use super::best::{Best, HOPELESS};
 use super::clauses::{Said, said};
 use super::evidence::{Evidence, distance};
 use super::finding::{self, Finding};
@@ -8,7 +9,7 @@ use super::fit::{Fit, around, difference};
 use super::loss::Loss;
 use super::recipe::Recipe;
 use super::refine::factor;
-use super::search::{Candidate, HOPELESS, finely, in_its_conventions, search};
+use super::search::{Candidate, finely, in_its_conventions, search};
 use super::shade::Drawn;
 use super::surface::{Object, Region};
 use super::{Code, Conventions, Diagnosis, Margin, Verdict, palette, shadow};
@@ -285,8 +286,11 @@ fn with_t_max(whole: &Evidence, best: Recipe) -> Result<(Recipe, bool), Invalid>
     let other = best.with_other_t_max();
     let (a, b) = (whole.drawn(&best)?, whole.drawn(&other)?);
     let shows = a.iter().zip(&b).any(|(a, b)| distance(a.rgb, b.rgb) > 2);
-    let is_other = shows && whole.error(&other)? < whole.error(&best)?;
-    Ok((if is_other { other } else { best }, shows))
+    let mut best = Best::of(whole, best)?;
+    if shows {
+        best.consider(other)?;
+    }
+    Ok((best.recipe, shows))
 }
 
 /// The nearest explanation that lacks one of the faults found, or adds a visible one to none.
@@ -298,32 +302,27 @@ fn margin(
 ) -> Result<Margin, Invalid> {
     let faults = best.faults(expected);
     let drawn = sample.drawn(best)?;
-    let error = sample.error(best)?;
-    let mut runner_up: Option<Candidate> = None;
-    let mut without: Vec<Recipe> = faults
-        .iter()
-        .map(|code| best.without(*code, expected))
-        .collect();
-    without.extend(candidates.iter().map(|candidate| candidate.recipe));
-    for recipe in without {
+    let mut runner_up: Option<Best> = None;
+    let without = faults.iter().map(|code| best.without(*code, expected));
+    let others = candidates.iter().map(|candidate| candidate.recipe);
+    for recipe in without.chain(others) {
         let its_faults = recipe.faults(expected);
         let adds_only = faults.iter().all(|fault| its_faults.contains(fault));
         let is_the_same = its_faults == faults;
         if is_the_same || (adds_only && !faults.is_empty()) || sample.drawn(&recipe)? == drawn {
             continue;
         }
-        let error = sample.error(&recipe)?;
-        if runner_up.is_none_or(|runner_up| error < runner_up.error) {
-            runner_up = Some(Candidate {
-                recipe,
-                error,
-                knobs: its_faults.len(),
-            });
+        match &mut runner_up {
+            Some(runner_up) => drop(runner_up.consider(recipe)?),
+            None => runner_up = Some(Best::of(sample, recipe)?),
         }
     }
+    let (runner_up, runner_up_error) = runner_up.map_or((vec![], 255.0), |other| {
+        (other.recipe.faults(expected), other.error)
+    });
     Ok(Margin {
-        error,
-        runner_up: runner_up.map_or(vec![], |other| other.recipe.faults(expected)),
-        runner_up_error: runner_up.map_or(255.0, |other| other.error),
+        error: sample.error(best)?,
+        runner_up,
+        runner_up_error,
     })
 }

@@ -5,9 +5,8 @@ use crate::conformance::diagnosis::Code;
 use crate::conformance::diagnosis::evidence::Evidence;
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::recipe::{Recipe, Rounding, Sampling, ShadowRay};
-use crate::conformance::diagnosis::refine::{factor, refined, shadow_rays};
+use crate::conformance::diagnosis::refine::{factor, refined};
 use crate::conformance::diagnosis::search::in_its_conventions;
-use crate::conformance::diagnosis::shadow::displaced;
 use crate::picture::Picture;
 use std::f64::consts::PI;
 
@@ -169,76 +168,6 @@ fn factors_of_colours() {
         factor(of, [0.0; 3], 0),
     ] {
         assert_eq!(nothing, None);
-    }
-}
-
-/// What may have moved a shadow is found, each by its own kind of ray, and explains it best.
-#[test]
-fn displacements_are_found() {
-    let right = right("3c");
-    let with = |ray| turned(&right, |r| r.viewpoint.shadow = Some(ray));
-    let exact = ShadowRay::default();
-    let rays = [
-        ShadowRay {
-            offset: 0.3,
-            ..exact
-        },
-        ShadowRay {
-            shift: [0.4, -0.3],
-            ..exact
-        },
-        ShadowRay {
-            light: [-2.0, 1.5],
-            ..exact
-        },
-    ];
-    for (kind, ray) in rays.into_iter().enumerate() {
-        let of = with(ray);
-        let picture = drawn(&of);
-        let evidence = whole(&picture, &Lossless);
-        // The recipe may have another ray from before: it is no start.
-        let found = shadow_rays(
-            &evidence,
-            &with(ShadowRay {
-                offset: 0.1,
-                ..exact
-            }),
-        )
-        .expect("viewpoints");
-        let (recipe, error) = found[kind];
-        assert_eq!(evidence.error(&recipe), Ok(error));
-        assert!(found.iter().all(|(_, other)| *other >= error), "{found:?}");
-        let found = recipe.viewpoint.shadow.expect("a shadow");
-        is_near(found.offset, ray.offset, 0.03);
-        for i in 0..2 {
-            is_near(found.shift[i], ray.shift[i], 0.06);
-            is_near(found.light[i], ray.light[i], 0.3);
-        }
-        let drawn = evidence.drawn(&right).expect("a viewpoint");
-        let displaced = displaced(&picture, &evidence, &right, &drawn).expect("viewpoints");
-        let code = if kind == 0 {
-            Code::OffsetTooLarge
-        } else {
-            Code::ShadowShifted
-        };
-        assert_eq!(displaced.faults(&right), [code]);
-    }
-    for none in [
-        right,
-        turned(&right, |r| r.viewpoint.shadow = None),
-        with(ShadowRay {
-            offset: 0.001,
-            ..exact
-        }),
-    ] {
-        let picture = drawn(&none);
-        let evidence = whole(&picture, &Lossless);
-        let start = turned(&none, |r| {
-            r.viewpoint.shadow = r.viewpoint.shadow.map(|_| exact);
-        });
-        let pixels = evidence.drawn(&start).expect("a viewpoint");
-        let displaced = displaced(&picture, &evidence, &start, &pixels).expect("viewpoints");
-        assert_eq!(displaced, start);
     }
 }
 
