@@ -49,7 +49,7 @@ impl Speckle {
             speckle.dark += usize::from(share < 0.5);
             speckle.partly += usize::from(share > 0.08 && share < 0.92);
             sum += share;
-            if let Some(before) = before.filter(|_| at % width > 0) {
+            if let Some(before) = before {
                 steps += f64::abs(share - before);
                 pairs += 1;
             }

@@ -21,6 +21,9 @@ pub(super) struct Candidate {
 /// Candidates that are pursued at each depth.
 const BEAM: usize = 10;
 
+/// Candidates that are compared more finely.
+const POOL: usize = 30;
+
 /// Faults that a picture may have at once.
 const DEPTH: usize = 3;
 
@@ -68,11 +71,11 @@ pub(super) fn search<'a>(
 /// How near the candidates come to the picture. In another sampling than theirs, another loss may seem
 /// to fit.
 fn least_error(evidence: &Evidence, candidates: &[Candidate]) -> Result<f64, Invalid> {
-    let [first, rest @ ..] = candidates else {
+    let [first, ..] = candidates else {
         return Ok(f64::INFINITY);
     };
     let mut best = Best::of(evidence, first.recipe)?;
-    for candidate in rest.iter().take(PURSUED - 1) {
+    for candidate in candidates.iter().take(PURSUED) {
         best.consider(candidate.recipe)?;
     }
     if best.error > HOPELESS {
@@ -111,7 +114,7 @@ fn roughly(
             break;
         }
     }
-    Ok(nearest(pool, expected, 3 * BEAM))
+    Ok(nearest(pool, expected, POOL))
 }
 
 /// The nearest candidates in their conventions, with their numbers; the nearest first.

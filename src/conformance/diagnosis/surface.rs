@@ -212,22 +212,22 @@ impl Eye {
         let light = self.light.position() + dvec3(along_x, 0.0, along_z);
         let shift = dvec3(from.shift[0], 0.0, from.shift[1]);
         let origin = hit.point + hit.normal * from.offset + shift;
-        let distance = (light - origin).length();
-        let direction = (light - origin) / distance;
+        // The light is where the parameter is 1.
+        let direction = light - origin;
         let ray = Ray { origin, direction };
         if from.is_exact() {
-            let span = Span::new(0.0, distance);
+            let span = Span::new(0.0, 1.0);
             self.scene
                 .intersect_other(&ray, &span, Quality::Stable, Some(hit.object))
         } else {
-            let span = Span::new(BEYOND_ROUNDING, distance);
+            let span = Span::new(BEYOND_ROUNDING, 1.0);
             self.scene.intersect_any(&ray, &span, Quality::Stable)
         }
     }
 }
 
-/// A distance that rounding in `f64` does not reach in the lab's scene, in scene units.
-const BEYOND_ROUNDING: f64 = 1e-7;
+/// A part of the way to the light that rounding in `f64` does not reach in the lab's scene.
+const BEYOND_ROUNDING: f64 = 1e-8;
 
 /// The surfels of some regions, one after the other.
 pub(super) fn surfels(

@@ -7,6 +7,7 @@ use crate::conformance::diagnosis::clauses::with;
 use crate::conformance::diagnosis::loss::Lossless;
 use crate::conformance::diagnosis::recipe::{Cosine, Recipe, ShadowRay};
 use crate::conformance::diagnosis::search::{Candidate, nearest};
+use crate::picture::Picture;
 
 /// The changes of one recipe that a picture of another suggests, where a third is expected.
 fn changes_of(drawn: &Recipe, by: &Recipe, expected: &Recipe) -> Vec<Recipe> {
@@ -296,5 +297,21 @@ fn simpler_is_better() {
         assert!(candidate(error, 1).rank() < candidate(error / 1.15, 2).rank());
         assert!(candidate(error, 1).rank() > candidate(error / 1.25, 2).rank());
         assert!(candidate(error, 0).rank() > candidate(error / 1.6, 2).rank());
+    }
+}
+
+/// The horizontal angle may be what the vertical one should be: that one is tried as it is.
+#[test]
+fn the_field_of_view_of_the_width_is_tried() {
+    let right = right("3c");
+    for (width, height) in [(72, 48), (48, 72), (128, 32)] {
+        let picture = Picture::black(size(width, height));
+        let found = changes(&whole(&picture, &Lossless), &right, &right).expect("viewpoints");
+        let half = |degrees: f64| (degrees / 2.0).to_radians().tan();
+        let is_it = |recipe: &Recipe| {
+            let across = half(recipe.viewpoint.fov) * f64::from(width) / f64::from(height);
+            (across - half(60.0)).abs() < 1e-12
+        };
+        assert_eq!(found.iter().filter(|recipe| is_it(recipe)).count(), 1);
     }
 }

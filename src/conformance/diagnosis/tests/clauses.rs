@@ -117,6 +117,31 @@ fn what_is_broken_is_not_shown() {
     }
 }
 
+/// Acne is shown where it should be and is; where there is none, how it goes away. Acne that should not
+/// be is a fault of both clauses.
+#[test]
+fn acne_is_shown_where_it_should_be() {
+    let [speckled, clean] = ["3a", "3c"].map(right);
+    let has = |clauses: &[&str], clause| clauses.contains(&clause);
+    for (recipe, expected, shown, not_shown) in [
+        (&speckled, &speckled, Some("4.2"), Some("4.3")),
+        (&clean, &clean, Some("4.3"), Some("4.2")),
+        (&speckled, &clean, None, None),
+        (&clean, &speckled, Some("4.3"), Some("4.2")),
+    ] {
+        let said = says(recipe, expected, true);
+        for clause in ["4.2", "4.3"] {
+            let words = format!("{clause}: {said:?}");
+            assert_eq!(has(&said.shown, clause), shown == Some(clause), "{words}");
+            assert_eq!(
+                has(&said.not_shown, clause),
+                not_shown == Some(clause),
+                "{words}"
+            );
+        }
+    }
+}
+
 /// One fault is made, and no other; it is as wrong as its name says.
 #[test]
 fn faults_are_made_one_by_one() {

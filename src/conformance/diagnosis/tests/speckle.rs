@@ -143,6 +143,43 @@ fn what_is_smooth_is_no_acne() {
     }
 }
 
+/// How rough darkened pixels must be to be acne: more where a loss roughens the edge of a shadow, less
+/// where it has smoothed what is mostly black.
+#[test]
+fn roughness_is_judged_by_the_loss() {
+    let speckle = |mean, roughness| Speckle {
+        lit: 500,
+        dark: 0,
+        mean,
+        partly: 0,
+        roughness,
+    };
+    for (tolerance, mean, rough, smooth) in [
+        (0, 0.7, 0.09, 0.07),
+        (0, 0.9, 0.09, 0.07),
+        (1, 0.7, 0.05, 0.04),
+        (1, 0.9, 0.16, 0.14),
+    ] {
+        assert!(speckle(mean, rough).is_acne(tolerance));
+        assert!(!speckle(mean, smooth).is_acne(tolerance));
+        // What has its light is not darkened, however rough.
+        assert!(!speckle(0.96, rough).is_acne(tolerance));
+    }
+    // A few dark pixels are acne by themselves only where they are very rough.
+    for (dark, roughness, is_acne) in [(12, 0.31, true), (12, 0.29, false), (11, 0.9, false)] {
+        let found = Speckle {
+            dark,
+            ..speckle(0.97, roughness)
+        };
+        assert_eq!(found.is_acne(0), is_acne, "{found:?}");
+    }
+    let few = Speckle {
+        lit: 11,
+        ..speckle(0.5, 1.0)
+    };
+    assert!(!few.is_acne(0));
+}
+
 /// A dozen black pixels are acne, fewer are a rounding here and there.
 #[test]
 fn few_black_pixels_are_no_acne() {

@@ -1,12 +1,12 @@
 //! What is said of a fault, and of pictures that nothing explains.
 
 use super::{changed, picture, right, size, turned};
-use crate::conformance::diagnosis::Code;
 use crate::conformance::diagnosis::clauses::with;
 use crate::conformance::diagnosis::finding::{Estimate, described};
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::palette::{is_blank, is_the_labs};
 use crate::conformance::diagnosis::recipe::{Cosine, Recipe, ShadowRay};
+use crate::conformance::diagnosis::{Code, Severity};
 use crate::picture::Picture;
 
 /// The estimates of a fault and its sentence.
@@ -134,6 +134,16 @@ fn kinds_are_told_apart() {
     let (_, estimates) = said(Code::WrongColour, |r| r.colors[0] = [0.5; 3]);
     let sphere = Estimate::Numbers(vec![0.5; 3]);
     assert_eq!(estimates, [("object", is("sphere")), ("sphere", sphere)]);
+}
+
+/// Only a colour and the field of view are as one likes: the rest is wrong.
+#[test]
+fn matters_of_taste_are_warnings() {
+    let warnings = Code::ALL
+        .into_iter()
+        .filter(|code| code.severity() == Severity::Warning);
+    let warnings: Vec<&str> = warnings.map(Code::name).collect();
+    assert_eq!(warnings, ["WRONG_COLOUR", "WRONG_BACKGROUND", "WRONG_FOV"]);
 }
 
 /// Every fault has a fact and an advice of its own, or shares both with its like.
