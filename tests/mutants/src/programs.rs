@@ -61,13 +61,17 @@ struct Profile {
     test: bool,
 }
 
-/// Builds all test programs, and lists the tests that can judge these mutants.
+/// Builds the test programs of a package, or of all, and lists the tests that can judge these mutants.
 ///
 /// # Errors
 /// If they cannot be built, or one lists no tests.
-pub fn build(tree: &Tree, mutants: &[Mutant]) -> Result<Vec<Test>> {
+pub fn build(tree: &Tree, mutants: &[Mutant], package: Option<&str>) -> Result<Vec<Test>> {
     eprintln!("building the tests with switches, which takes minutes");
-    let mut cargo = tree.cargo(&["test", "--no-run", "--workspace", "--message-format=json"]);
+    let mut cargo = tree.cargo(&["test", "--no-run", "--message-format=json"]);
+    match package {
+        Some(package) => cargo.args(["--all-features", "--package", package]),
+        None => cargo.arg("--workspace"),
+    };
     let built = cargo.stdin(Stdio::null()).stderr(Stdio::inherit()).output();
     let built = built.map_err(|error| no_build(&error.to_string()))?;
     let printed = String::from_utf8_lossy(&built.stdout);

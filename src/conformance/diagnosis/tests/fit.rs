@@ -89,23 +89,72 @@ fn strange_pixels_are_unexplained() {
 #[test]
 fn silhouettes_may_be_a_pixel_off() {
     let right = figure();
-    let width = SIZE.0 as usize;
+    let (width, height) = (SIZE.0 as i32, SIZE.1 as i32);
     let pixels = right.bytes().as_chunks::<3>().0;
     for (by, lossless, lossy) in [(1, true, true), (2, false, true), (3, false, false)] {
-        for down in [false, true] {
-            let from = if down { by * width } else { by };
+        for (across, down) in [(by, 0), (-by, 0), (0, by), (0, -by)] {
             let shifted = changed(&right, |at, rgb| {
-                let stays = !down && at % width < by;
-                at.checked_sub(from)
-                    .filter(|_| !stays)
-                    .map_or(rgb, |at| pixels[at])
+                let (x, y) = (at as i32 % width - across, at as i32 / width - down);
+                let is_inside = x >= 0 && y >= 0 && x < width && y < height;
+                if is_inside {
+                    pixels[(y * width + x) as usize]
+                } else {
+                    rgb
+                }
             });
             for (loss, is_explained) in [(Harmless(0), lossless), (Harmless(1), lossy)] {
                 let unexplained = fit(&shifted, &loss).0.unexplained;
-                let words = format!("{by} {down} {}: {unexplained}", loss.0);
+                let words = format!("{across} {down} {}: {unexplained}", loss.0);
                 assert_eq!(unexplained < 0.003, is_explained, "{words}");
             }
         }
+    }
+}
+
+/// There, and elsewhere, levels may be two off, and more through a loss.
+#[test]
+fn levels_may_be_off() {
+    let right = figure();
+    let pixels = right.bytes().as_chunks::<3>().0;
+    let width = SIZE.0 as usize;
+    for (loss, most) in [(Harmless(0), 2), (Harmless(1), 3), (Harmless(6), 8)] {
+        for (by, is_explained) in [
+            (most, true),
+            (-most, true),
+            (most + 2, false),
+            (-most - 2, false),
+        ] {
+            // Each pixel is its left neighbour.
+            let shifted = changed(&right, |at, rgb| {
+                let rgb = if at % width > 0 { pixels[at - 1] } else { rgb };
+                rgb.map(|byte| moved(byte, by))
+            });
+            let unexplained = fit(&shifted, &loss).0.unexplained;
+            let words = format!("{by} {}: {unexplained}", loss.0);
+            assert_eq!(unexplained == 0.0, is_explained, "{words}");
+        }
+    }
+}
+
+/// What acne may have darkened is explained, through a loss as well.
+#[test]
+fn acne_is_explained() {
+    let speckled = turned(&right("3c"), |r| r.acne = [true; 2]);
+    let dark = changed(&figure(), |at, rgb| {
+        if at % 3 == 0 && rgb[1] == 0 {
+            [0; 3]
+        } else {
+            rgb
+        }
+    });
+    for tolerance in [0, 6] {
+        let (found, _) = fit_of(&speckled, &dark, &Harmless(tolerance));
+        assert_eq!(found.unexplained, 0.0, "{tolerance}");
+        let (found, is_good) = fit(&dark, &Harmless(tolerance));
+        assert!(
+            found.unexplained > 0.05 && !is_good,
+            "{tolerance}: {found:?}"
+        );
     }
 }
 
@@ -193,6 +242,7 @@ fn noise_is_an_error_too() {
         (2, 1, right("3c"), 40, true),
         (2, 1, speckled, 0, true),
         (3, 1, speckled, 0, true),
+        (3, 1, speckled, 8, true),
     ] {
         let (fit, good) = fit_of(&recipe, &noisy(by, every), &Harmless(tolerance));
         assert_eq!(good, is_good, "{by} {every} {tolerance}: {fit:?}");
