@@ -72,7 +72,6 @@ pub(super) fn said(
             .iter()
             .any(|fault| fault.clause() == clause || forbidden.contains(fault));
         let visible = match clause {
-            "3.2" => expected.film == Film::Wrap,
             "4.2" => acne,
             "4.3" => casts && !acne,
             "E.4" => recipe.light_at_eye,

@@ -1,4 +1,4 @@
-//! A colour that was measured through a loss, and is found by trying.
+//! A colour that was measured in another convention or through a loss, and is found by trying.
 
 use super::best::Best;
 use super::evidence::Evidence;
@@ -7,8 +7,8 @@ use super::recipe::Recipe;
 use super::surface::Object;
 use crate::error::Invalid;
 
-/// Brings an object's colour nearer. What the loss does to a measurement is measured on the
-/// prediction, and taken off; then small components are tried as 0, and all of them moved.
+/// Brings an object's colour nearer. What a loss does to a measurement is measured on the prediction, and
+/// taken off; then small components are tried as 0, and each is moved.
 pub(super) fn refine(evidence: &Evidence, best: &mut Best, index: usize) -> Result<(), Invalid> {
     let object = [Object::Sphere, Object::Plane][index];
     let Some(seen) = measure::color(evidence, &best.recipe, object)? else {
@@ -28,9 +28,6 @@ pub(super) fn refine(evidence: &Evidence, best: &mut Best, index: usize) -> Resu
     for tried in without_traces(best.recipe, index) {
         best.consider(tried)?;
     }
-    let all =
-        |r: &mut Recipe, step: f64| r.colors[index] = r.colors[index].map(|x| x * (1.0 + step));
-    best.descend(&[all], STEPS)?;
     for component in [0, 1, 2] {
         let one = |r: &mut Recipe, step: f64| {
             let color = &mut r.colors[index][component];

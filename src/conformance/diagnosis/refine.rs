@@ -28,7 +28,7 @@ pub(super) fn refined(
         }
         best
     };
-    if best.recipe.power != expected.power && best.recipe.power != 1.0 / PI {
+    if best.recipe.power != expected.power {
         let power = |r: &mut Recipe, step: f64| r.power *= 1.0 + step;
         best.descend(&[power], (0.04, 0.0005))?;
     }
@@ -42,7 +42,7 @@ pub(super) fn refined(
         best.descend(&[offset], (0.5, 0.01))?;
     }
     for object in [0, 1] {
-        if evidence.loss.tolerance() > 0 && best.recipe.colors[object] != expected.colors[object] {
+        if best.recipe.colors[object] != expected.colors[object] {
             color::refine(evidence, &mut best, object)?;
         }
     }

@@ -183,9 +183,9 @@ pub(super) fn in_its_conventions(evidence: &Evidence, recipe: Recipe) -> Result<
     let mut best = Best::of(evidence, recipe)?;
     best.consider(recipe.with_other_rounding())?;
     let rounded = best.recipe;
+    // Averages cost most; they come last, and are tried where no single ray explains the silhouettes.
     for sampling in Sampling::ALL {
-        // Averages cost most; they are tried where no single ray explains the silhouettes.
-        if !sampling.is_average() || best.error > NOTHING {
+        if best.error > NOTHING {
             let mut tried = rounded;
             tried.viewpoint.sampling = sampling;
             best.consider(tried)?;

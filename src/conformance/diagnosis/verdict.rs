@@ -130,7 +130,7 @@ fn necessary(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<
 }
 
 /// Whether a recipe explains the pixels in which the two differ clearly better than the other.
-fn is_better(whole: &Evidence, recipe: &Recipe, other: &Recipe) -> Result<bool, Invalid> {
+pub(super) fn is_better(whole: &Evidence, recipe: &Recipe, other: &Recipe) -> Result<bool, Invalid> {
     let (drawn, other_drawn) = (whole.predicted(recipe)?, whole.predicted(other)?);
     let (places, _) = difference(&drawn, &other_drawn, whole.size.width(), 1);
     let error = |recipe: &Recipe, drawn: &[Drawn]| -> f64 {
@@ -282,7 +282,7 @@ fn other_scene(picture: &Picture) -> Finding {
 
 /// The recipe with the `t_max` that fits best, and whether the picture shows which. It shows in a row
 /// at the horizon or nowhere, so only the whole picture tells.
-fn with_t_max(whole: &Evidence, best: Recipe) -> Result<(Recipe, bool), Invalid> {
+pub(super) fn with_t_max(whole: &Evidence, best: Recipe) -> Result<(Recipe, bool), Invalid> {
     let other = best.with_other_t_max();
     let (a, b) = (whole.drawn(&best)?, whole.drawn(&other)?);
     let shows = a.iter().zip(&b).any(|(a, b)| distance(a.rgb, b.rgb) > 2);

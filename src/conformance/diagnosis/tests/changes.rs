@@ -21,7 +21,7 @@ const FIGURES: [&str; 5] = ["1", "2a", "2b", "3a", "3c"];
 fn faulty(figure: &str) -> Vec<(Code, Recipe)> {
     let right = right(figure);
     let hidden = |code| match code {
-        Code::Wrapped | Code::Clamped | Code::Saturated => true,
+        Code::Saturated => true,
         Code::WrongPower | Code::ExtraPi => right.light_at_eye,
         _ => false,
     };

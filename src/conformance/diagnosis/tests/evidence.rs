@@ -100,6 +100,24 @@ fn samples_are_spread() {
     }
 }
 
+/// What is in every sample lies in the middle, from left to right, and from top to bottom.
+#[test]
+fn what_is_in_every_sample_lies_in_the_middle() {
+    for (width, height) in [(640, 480), (1280, 800), (480, 640)] {
+        // So few pixels that nothing else is in it, but for the first row or column.
+        let regions = sample(size(width, height), 1).regions;
+        let inner = |r: &&Region| r.left > 0 && r.top > 0;
+        let tiles = regions.iter().filter(inner).map(|r| (r.left, r.top));
+        let tiles: Vec<(u32, u32)> = tiles.collect();
+        assert!(tiles.len() > 20, "{width}x{height}: {}", tiles.len());
+        for &(left, top) in &tiles {
+            for other in [(width - TILE - left, top), (left, height - TILE - top)] {
+                assert!(tiles.contains(&other), "{width}x{height}: {left} {top}");
+            }
+        }
+    }
+}
+
 /// Where bytes wrap is a small part of a picture, and in the sample: the film shows. In a picture
 /// of an unusual shape a third of that part is.
 #[test]

@@ -4,7 +4,7 @@ use super::{changed, picture, random, right, size, turned, whole};
 use crate::conformance::diagnosis::evidence::Evidence;
 use crate::conformance::diagnosis::loss::Lossless;
 use crate::conformance::diagnosis::measure;
-use crate::conformance::diagnosis::recipe::{Recipe, Rounding, Transfer};
+use crate::conformance::diagnosis::recipe::{Recipe, Rounding, Sampling, Transfer};
 use crate::conformance::diagnosis::surface::{Object, Region};
 use crate::error::Invalid;
 use crate::film::Film;
@@ -68,19 +68,21 @@ fn few_pixels_measure_nothing() {
     // So dim that nothing is clamped.
     let recipe = turned(&right("2b"), |r| r.power = 0.2);
     let drawn = picture(&recipe, small());
-    for (pixels, is_measured) in [(0, false), (1, false), (23, false), (25, true), (40, true)] {
-        let row = |left, top| Region {
+    let row = |width, (left, top)| {
+        let region = Region {
             left,
             top,
-            width: pixels,
+            width,
             height: 1,
         };
-        let part = |left, top| {
-            let regions = vec![row(left, top)];
-            Evidence::new(&drawn, regions, &Lossless)
-        };
-        let sky = measure::background(&part(0, 0), &recipe).expect("a viewpoint");
-        assert_eq!(sky.is_some(), is_measured, "{pixels}");
+        Evidence::new(&drawn, vec![region], &Lossless)
+    };
+    for pixels in [0, 1, 23, 24, 25, 64] {
+        let sky = measure::background(&row(pixels, (0, 0)), &recipe).expect("a viewpoint");
+        assert_eq!(sky.is_some(), pixels >= 24, "{pixels}");
+    }
+    for (pixels, is_measured) in [(0, false), (1, false), (23, false), (25, true), (40, true)] {
+        let part = |left, top| row(pixels, (left, top));
         let floor = measure::color(&part(0, 47), &recipe, Object::Plane).expect("a viewpoint");
         assert_eq!(floor.is_some(), is_measured, "{pixels}");
         let power = measure::power(&part(0, 47), &recipe).expect("a viewpoint");
@@ -145,6 +147,18 @@ fn powers() {
             }
         }
     }
+    // It is what the colour of the recipe leaves over.
+    let dark = turned(&right("3c"), |r| {
+        r.colors = [[0.0, 0.0, 0.4], [0.5, 0.0, 0.0]];
+    });
+    let drawn = picture(&turned(&dark, |r| r.power = 2.0), small());
+    let found = measured(&drawn, &dark, measure::power).expect("a power");
+    assert!((found - 2.0).abs() < 0.04, "{found}");
+    // Averages are measured as such.
+    let average = turned(&right("3c"), |r| r.viewpoint.sampling = Sampling::Average);
+    let drawn = picture(&turned(&average, |r| r.power = 0.5), small());
+    let found = measured(&drawn, &average, measure::power).expect("a power");
+    assert!((found - 0.5).abs() < 0.01, "{found}");
     // A black object says nothing; the other one does.
     let black = turned(&right("3c"), |r| r.colors[1] = [0.0; 3]);
     let drawn = picture(&turned(&black, |r| r.power = 0.5), small());

@@ -2,10 +2,11 @@
 
 use super::{picture, right, size, turned, whole};
 use crate::conformance::diagnosis::Code;
+use crate::conformance::diagnosis::color::without_traces;
 use crate::conformance::diagnosis::evidence::Evidence;
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::recipe::{Recipe, Rounding, Sampling, ShadowRay};
-use crate::conformance::diagnosis::refine::{factor, refined};
+use crate::conformance::diagnosis::refine::{factor, refined, snapped};
 use crate::conformance::diagnosis::search::in_its_conventions;
 use crate::picture::Picture;
 use std::f64::consts::PI;
@@ -143,7 +144,7 @@ fn two_colours_are_one_fault() {
 /// brightest, and more through a loss.
 #[test]
 fn factors_of_colours() {
-    let of = [0.2, 1.0, 0.0];
+    let of = [0.16, 0.8, 0.0];
     for by in [0.1, 1.0, 3.0] {
         let color = of.map(|x| by * x);
         let found = factor(color, of, 0).expect("a multiple");
@@ -205,6 +206,47 @@ fn conventions_are_found() {
     }
 }
 
+/// A power that is off by a hundredth, and more through a loss, is the expected one; so are fields of
+/// view within a tenth of a degree.
+#[test]
+fn numbers_that_are_the_same() {
+    let right = right("3c");
+    for tolerance in [0, 3, 6] {
+        let same = 0.012 * (1.0 + f64::from(tolerance) / 3.0);
+        for power in [1.0, 1.0 / PI] {
+            for part in [-1.05, -0.95, 0.95, 1.05] {
+                let off = turned(&right, |r| r.power = power * (1.0 + part * same));
+                let is_same = snapped(off, &right, tolerance).power == power;
+                assert_eq!(is_same, f64::abs(part) < 1.0, "{tolerance} {power} {part}");
+            }
+        }
+        for (by, is_same) in [(0.09, true), (-0.09, true), (0.11, false), (-0.11, false)] {
+            let off = turned(&right, |r| r.viewpoint.fov += by);
+            assert_eq!(snapped(off, &right, tolerance) == right, is_same, "{by}");
+        }
+    }
+}
+
+/// Of a colour's small components any may be traces, together or alone; the others are none.
+#[test]
+fn traces_are_left_out() {
+    let recipe = turned(&right("3c"), |r| r.colors[1] = [0.29, 0.31, 0.1]);
+    let found: Vec<[f64; 3]> = without_traces(recipe, 1)
+        .iter()
+        .map(|tried| tried.colors[1])
+        .collect();
+    for without in [[0.0, 0.31, 0.1], [0.29, 0.31, 0.0], [0.0, 0.31, 0.0]] {
+        assert!(found.contains(&without), "{found:?}");
+    }
+    assert!(found.iter().all(|color| color[1] == 0.31));
+    let others = without_traces(recipe, 1);
+    assert!(
+        others
+            .iter()
+            .all(|tried| tried.colors[0] == recipe.colors[0])
+    );
+}
+
 /// A loss that mixes a little of each channel into its neighbours.
 struct Bleeds;
 
@@ -240,6 +282,10 @@ fn colours_through_a_loss() {
         let guess = turned(&right, |r| r.colors[object] = color.map(|x| 0.9 * x + 0.04));
         let found = refined(&evidence, guess, &right).expect("viewpoints");
         are_near(found.colors[object], color);
+        // Less than a byte's step is left of what bleeds into a component that is 0.
+        for (found, drawn) in found.colors[object].iter().zip(color) {
+            assert_eq!(*found < 1.0 / 255.0, drawn == 0.0, "{found} {color:?}");
+        }
         assert_eq!(found.colors[1 - object], right.colors[1 - object]);
     }
 }

@@ -6,6 +6,8 @@ use crate::conformance::diagnosis::finding::Estimate;
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::recipe::{Recipe, ShadowRay};
 use crate::conformance::diagnosis::search::search;
+use crate::conformance::diagnosis::surface::Object;
+use crate::conformance::diagnosis::verdict::{is_better, with_t_max};
 use crate::conformance::diagnosis::{Code, Diagnosis, Margin, Sampling, Verdict, diagnose};
 use crate::figure::Figure;
 use crate::picture::Picture;
@@ -13,6 +15,18 @@ use crate::picture::Picture;
 fn judged(picture: &Picture, figure: &str) -> Diagnosis {
     let figure = Figure::named(figure).expect("a figure");
     diagnose(picture, figure, &[]).expect("a size that is judged")
+}
+
+/// The same of a picture that a file has taken something from.
+fn judged_with(picture: &Picture, losses: &[&dyn Loss]) -> Diagnosis {
+    let size = picture.size();
+    let mut pixels = picture.bytes().as_chunks::<3>().0.to_vec();
+    for loss in losses {
+        loss.degrade(size.width(), size.height(), &mut pixels);
+    }
+    let picture = Picture::from_pixels(size, pixels).expect("all pixels");
+    let figure = Figure::named("3c").expect("a figure");
+    diagnose(&picture, figure, losses).expect("a size that is judged")
 }
 
 fn codes(diagnosis: &Diagnosis) -> Vec<Code> {
@@ -79,6 +93,50 @@ fn acne_of_the_plane_is_found() {
     acne_is_found([false, true], "plane", 0.5);
 }
 
+/// Averages of acne are acne too, and no darker colour or weaker light.
+fn averaged_acne_is_acne(losses: &[&dyn Loss]) {
+    let expected = turned(&right("3c"), |r| r.viewpoint.sampling = Sampling::Average);
+    let size = size(80, 54);
+    let drawn = whole(&Picture::black(size), &Lossless).drawn(&expected);
+    let drawn = drawn.expect("a viewpoint");
+    let mut random = random(12);
+    let mut share = || (0..16).filter(|_| random() < 0.6).count() as f64 / 16.0;
+    let shares: Vec<f64> = drawn.iter().map(|_| share()).collect();
+    let noisy = changed(&picture(&expected, size), |at, rgb| {
+        let is_plane = drawn[at].object == Object::Plane && drawn[at].is_lit;
+        let share = if is_plane { shares[at] } else { 1.0 };
+        rgb.map(|byte| (f64::from(byte) * share) as u8)
+    });
+    let diagnosis = judged_with(&noisy, losses);
+    assert_eq!(codes(&diagnosis), [Code::Acne], "{diagnosis:?}");
+    let averaged = ("averaged", Estimate::Name("plane"));
+    assert!(diagnosis.findings[0].estimates.contains(&averaged));
+}
+
+#[test]
+fn averaged_acne_is_acne_without_a_loss() {
+    averaged_acne_is_acne(&[]);
+}
+
+#[test]
+fn averaged_acne_is_acne_through_a_loss() {
+    averaged_acne_is_acne(&[&Coarse(4)]);
+}
+
+/// What is darker without speckles has a darker colour, in whatever sampling and through a loss.
+#[test]
+fn darker_colours_are_no_acne() {
+    let dark = turned(&right("3c"), |r| {
+        r.colors[1] = [0.6, 0.0, 0.0];
+        r.viewpoint.sampling = Sampling::Average;
+    });
+    let losses: [&[&dyn Loss]; 2] = [&[], &[&Coarse(4)]];
+    for losses in losses {
+        let diagnosis = judged_with(&picture(&dark, size(80, 54)), losses);
+        assert_eq!(codes(&diagnosis), [Code::WrongColour], "{diagnosis:?}");
+    }
+}
+
 /// What 3(a) should have, 3(c) should not, and the other way round.
 #[test]
 fn acne_may_be_missing() {
@@ -122,6 +180,90 @@ fn places_of_a_fault_are_what_it_changes() {
                 .all(|&at| region.pixels().any(|(x, y)| at as u32 == y * 96 + x))
         );
         assert!(!diagnosis.invisible.contains(&code));
+    }
+}
+
+/// Numbers are told as they were drawn.
+#[test]
+fn numbers_are_told() {
+    type Turn = fn(&mut Recipe);
+    let cases: [(Turn, Code, f64); 2] = [
+        (|r| r.viewpoint.fov = 45.3, Code::WrongFov, 45.3),
+        (
+            |r| {
+                r.power = 0.4;
+                r.viewpoint.sampling = Sampling::Average;
+            },
+            Code::WrongPower,
+            40.0,
+        ),
+    ];
+    for (turn, code, number) in cases {
+        let wrong = turned(&right("3c"), turn);
+        let diagnosis = judged(&picture(&wrong, size(96, 64)), "3c");
+        assert_eq!(codes(&diagnosis), [code]);
+        assert_eq!(diagnosis.conventions.sampling, wrong.viewpoint.sampling);
+        let [(_, Estimate::Number(told))] = diagnosis.findings[0].estimates[..] else {
+            panic!("{diagnosis:?}");
+        };
+        assert!((told / number - 1.0).abs() < 0.01, "{told}, not {number}");
+    }
+}
+
+/// Three faults at once are found as three.
+#[test]
+fn three_faults_are_found() {
+    let codes = [Code::Mirrored, Code::UpsideDown, Code::RedBlueSwapped];
+    let expected = right("3c");
+    let wrong = codes
+        .into_iter()
+        .fold(expected, |wrong, code| with(&wrong, code).expect("a fault"));
+    let picture = picture(&wrong, size(64, 48));
+    let (candidates, ..) = search(&picture, &expected, &[]).expect("viewpoints");
+    let mut faults = candidates[0].recipe.faults(&expected);
+    faults.sort_unstable();
+    let mut codes = codes.to_vec();
+    codes.sort_unstable();
+    assert_eq!(faults, codes);
+}
+
+/// A fault explains a picture better than its absence where it is nearer by a fifth in the pixels that
+/// it changes: five in nine of them, if the others are as without it.
+#[test]
+fn a_fault_must_explain_more_than_it_spoils() {
+    let right = right("3c");
+    for code in [Code::Mirrored, Code::WrongBackground, Code::PlaneMissing] {
+        let faulty = with(&right, code).expect("a fault");
+        let [plain, wrong] = [right, faulty].map(|recipe| picture(&recipe, size(96, 64)));
+        let wrong = wrong.bytes().as_chunks::<3>().0;
+        for (part, is_one) in [(0.0, false), (0.5, false), (0.6, true), (1.0, true)] {
+            let mut random = random(6);
+            let is_wrong: Vec<bool> = (0..wrong.len()).map(|_| random() < part).collect();
+            let mixed = changed(&plain, |at, rgb| if is_wrong[at] { wrong[at] } else { rgb });
+            let evidence = whole(&mixed, &Lossless);
+            let found = is_better(&evidence, &faulty, &right).expect("viewpoints");
+            assert_eq!(found, is_one, "{code:?} {part}");
+        }
+        // What changes nothing explains nothing.
+        let evidence = whole(&plain, &Lossless);
+        assert!(!is_better(&evidence, &right, &right).expect("viewpoints"));
+    }
+}
+
+/// Which largest parameter a picture was drawn with is told where both would not look the same.
+#[test]
+fn the_largest_parameter_is_told_where_it_shows() {
+    let low = right("1");
+    for (height, is_shown) in [(310, true), (60, false)] {
+        for drawn in [low, low.with_other_t_max()] {
+            let picture = picture(&drawn, size(130, height));
+            let evidence = whole(&picture, &Lossless);
+            for start in [low, low.with_other_t_max()] {
+                let (found, shows) = with_t_max(&evidence, start).expect("viewpoints");
+                assert_eq!(shows, is_shown);
+                assert_eq!(found, if is_shown { drawn } else { start });
+            }
+        }
     }
 }
 
@@ -223,9 +365,11 @@ impl Loss for Coarse {
 #[test]
 fn the_loss_is_found() {
     let (expected, size) = (right("3c"), size(96, 64));
-    let losses: [&dyn Loss; 3] = [&Coarse(3), &Coarse(5), &Coarse(8)];
+    let losses: [&dyn Loss; 2] = [&Coarse(3), &Coarse(8)];
     for (number, loss) in losses.iter().enumerate() {
-        for recipe in [expected, with(&expected, Code::Mirrored).expect("a fault")] {
+        // In another sampling than the lab's, another loss may seem to fit.
+        for sampling in [Sampling::Corner, Sampling::Center] {
+            let recipe = turned(&expected, |r| r.viewpoint.sampling = sampling);
             let mut pixels = picture(&recipe, size).bytes().as_chunks::<3>().0.to_vec();
             loss.degrade(96, 64, &mut pixels);
             let picture = Picture::from_pixels(size, pixels).expect("all pixels");

@@ -1,8 +1,9 @@
 //! What is said of a fault, and of pictures that nothing explains.
 
 use super::{changed, picture, right, size, turned};
+use crate::conformance::diagnosis::acne::Speckle;
 use crate::conformance::diagnosis::clauses::with;
-use crate::conformance::diagnosis::finding::{Estimate, described};
+use crate::conformance::diagnosis::finding::{Estimate, acne, described};
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::palette::{is_blank, is_the_labs};
 use crate::conformance::diagnosis::recipe::{Cosine, Recipe, ShadowRay};
@@ -136,6 +137,49 @@ fn kinds_are_told_apart() {
     assert_eq!(estimates, [("object", is("sphere")), ("sphere", sphere)]);
 }
 
+/// Every fault's clause is one of the specification.
+#[test]
+fn clauses_are_in_the_specification() {
+    let spec = include_str!("../../../../docs/spec.md");
+    for code in Code::ALL {
+        let heading = format!("\n### {} ", code.clause());
+        assert!(spec.contains(&heading), "{code:?}");
+    }
+}
+
+/// Acne is told as falsely black pixels, or as noise where most have a part of their light and pixels
+/// may be averages.
+#[test]
+fn acne_is_told_by_its_look() {
+    let speckle = |partly| Speckle {
+        lit: 400,
+        dark: 90,
+        mean: 0.744,
+        partly,
+        roughness: 0.5,
+    };
+    for (partly, may_average, is_noise) in [
+        (201, true, true),
+        (201, false, false),
+        (199, true, false),
+        (199, false, false),
+    ] {
+        let (words, estimates) = acne([None, Some(speckle(partly))], may_average);
+        let told = [
+            ("object", Estimate::Name("plane")),
+            ("plane", Estimate::Number(0.256)),
+            ("averaged", Estimate::Name("plane")),
+        ];
+        assert_eq!(estimates, told[..if is_noise { 3 } else { 2 }]);
+        assert!(
+            words.contains("25.6 %") && words.contains("plane"),
+            "{words}"
+        );
+        assert_eq!(words.contains("noise"), is_noise, "{words}");
+        assert_eq!(words.contains("falsely black"), !is_noise, "{words}");
+    }
+}
+
 /// Only a colour and the field of view are as one likes: the rest is wrong.
 #[test]
 fn matters_of_taste_are_warnings() {
@@ -144,6 +188,10 @@ fn matters_of_taste_are_warnings() {
         .filter(|code| code.severity() == Severity::Warning);
     let warnings: Vec<&str> = warnings.map(Code::name).collect();
     assert_eq!(warnings, ["WRONG_COLOUR", "WRONG_BACKGROUND", "WRONG_FOV"]);
+    assert_eq!(
+        [Severity::Warning, Severity::Error].map(Severity::name),
+        ["warning", "error"]
+    );
 }
 
 /// Every fault has a fact and an advice of its own, or shares both with its like.
