@@ -55,20 +55,25 @@ pub(super) fn displaced(
 /// Moves a number of a shadow ray by a step.
 type Turn = fn(&mut ShadowRay, f64);
 
-/// The origin's way along the normal.
-const OFFSET: [Turn; 1] = [|ray, step| ray.offset = (ray.offset + step).max(0.0)];
+fn offset(ray: &mut ShadowRay, step: f64) {
+    ray.offset = (ray.offset + step).max(0.0);
+}
 
-/// The origin's way along x and z.
-const SHIFT: [Turn; 2] = [
-    |ray, step| ray.shift[0] += step,
-    |ray, step| ray.shift[1] += step,
-];
+fn shift_x(ray: &mut ShadowRay, step: f64) {
+    ray.shift[0] += step;
+}
 
-/// The light's way along x and z.
-const LIGHT: [Turn; 2] = [
-    |ray, step| ray.light[0] += step,
-    |ray, step| ray.light[1] += step,
-];
+fn shift_z(ray: &mut ShadowRay, step: f64) {
+    ray.shift[1] += step;
+}
+
+fn light_x(ray: &mut ShadowRay, step: f64) {
+    ray.light[0] += step;
+}
+
+fn light_z(ray: &mut ShadowRay, step: f64) {
+    ray.light[1] += step;
+}
 
 /// The same for a recipe.
 fn of_recipe(turn: Turn) -> impl Fn(&mut Recipe, f64) {
@@ -85,7 +90,7 @@ pub(super) fn is_worth_a_walk(evidence: &Evidence, exact: Recipe) -> Result<bool
     let mut best = Best::of(evidence, exact)?;
     let enough = 0.97 * best.error;
     for by in [0.02, 0.1, 0.4] {
-        for turn in OFFSET.into_iter().chain(SHIFT) {
+        for turn in [offset, shift_x, shift_z] {
             for step in [by, -by] {
                 let mut tried = exact;
                 of_recipe(turn)(&mut tried, step);
@@ -109,9 +114,9 @@ pub(super) fn shadow_rays<'a>(
         Ok(best)
     };
     Ok([
-        walk(&OFFSET, (0.512, 0.0005))?,
-        walk(&SHIFT, (0.512, 0.002))?,
-        walk(&LIGHT, (2.048, 0.01))?,
+        walk(&[offset], (0.512, 0.0005))?,
+        walk(&[shift_x, shift_z], (0.512, 0.002))?,
+        walk(&[light_x, light_z], (2.048, 0.01))?,
     ])
 }
 
