@@ -71,6 +71,38 @@ fn nothing_is_named_of_kernels_that_are_right_or_wrong_in_no_known_way() {
     }
 }
 
+/// Kernels with a fault that shows in a part of what they are asked, the same in every run.
+fn codes_of_part(cases: &[Case], fault: &str, part: f64) -> BTreeSet<&'static str> {
+    let mut state = 1_u64;
+    let trial = Trial::of::<f64>(cases, |question| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        let is_wrong = ((state >> 40) as f64) < part * f64::from(1 << 24);
+        let answer = is_wrong.then(|| wrong::answer(fault, question)).flatten();
+        answer.or_else(|| RIGHT.answer(question).ok())
+    });
+    let evidence = recognise(&trial.judged);
+    evidence.iter().map(|of| of.behaviour.code()).collect()
+}
+
+/// A behaviour is named where most of the cases that tell it from the truth are answered so, and not
+/// where a good part is not.
+#[test]
+fn what_shows_now_and_then_is_not_named() {
+    let cases = cases();
+    for (fault, code) in [
+        ("ignores-t-max", "T_MAX_IGNORED"),
+        ("half-open", "OPEN_INTERVAL"),
+        ("culls", "PLANE_CULLED"),
+        ("moves-by-a-constant", "OFFSET_CONSTANT"),
+        ("overflows", "OVERFLOW"),
+    ] {
+        let named = codes_of_part(&cases, fault, 0.95);
+        assert!(named.contains(code), "{fault}: {named:?}");
+        let named = codes_of_part(&cases, fault, 0.4);
+        assert!(!named.contains(code), "{fault}: {named:?}");
+    }
+}
+
 /// Each behaviour says something of its own to look for.
 #[test]
 fn every_behaviour_has_a_code_and_an_advice() {
