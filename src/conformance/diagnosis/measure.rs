@@ -101,11 +101,10 @@ fn ratio(
         })
         .filter(|&(white, _)| white > 0.0)
         .collect();
-    if samples.len() < FEWEST {
-        return Ok(None);
-    }
     samples.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let dimmest = samples[samples.len() / 50].0;
+    let Some(&(dimmest, _)) = samples.get(samples.len() / 50) else {
+        return Ok(None);
+    };
     let mut ceiling = 8.0 * dimmest;
     let mut ratio = None;
     loop {

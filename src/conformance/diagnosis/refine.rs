@@ -1,6 +1,6 @@
 //! Numbers that a recipe needs and a picture does not say outright: found by trying.
 
-use super::best::{Best, UNLIKELY};
+use super::best::Best;
 use super::changes::{SAME_POWER, differs};
 use super::color;
 use super::evidence::Evidence;
@@ -29,17 +29,11 @@ pub(super) fn refined(
         best
     };
     if best.recipe.power != expected.power {
-        let power = |r: &mut Recipe, step: f64| r.power *= 1.0 + step;
-        best.descend(&[power], (0.04, 0.0005))?;
+        best.descend(&[turn_power], (0.04, 0.0005))?;
     }
     let shadow = best.recipe.viewpoint.shadow.unwrap_or_default();
     if shadow.offset != 0.0 {
-        let offset = |r: &mut Recipe, step| {
-            if let Some(ray) = &mut r.viewpoint.shadow {
-                ray.offset *= 1.0 + step;
-            }
-        };
-        best.descend(&[offset], (0.5, 0.01))?;
+        best.descend(&[turn_offset], (0.5, 0.01))?;
     }
     for object in [0, 1] {
         if best.recipe.colors[object] != expected.colors[object] {
@@ -56,24 +50,27 @@ fn in_its_field_of_view<'a>(
     recipe: Recipe,
     expected: &Recipe,
 ) -> Result<Best<'a>, Invalid> {
-    let turn = |r: &mut Recipe, step: f64| {
-        r.viewpoint.fov = (r.viewpoint.fov + step).clamp(1.0, 170.0);
-    };
     let mut guess = Best::of(evidence, recipe)?;
-    guess.descend(&[turn], (4.0, 0.05))?;
+    guess.descend(&[turn_fov], (4.0, 0.05))?;
     let measured = measured_again(evidence, guess.recipe, expected)?;
     let mut best = Best::of(evidence, measured)?;
-    if best.error > UNLIKELY {
-        return Ok(best);
-    }
-    // Each row that becomes background or plane makes a small step in the error: look beyond.
-    for step in -NEAR..=NEAR {
-        let mut tried = measured;
-        turn(&mut tried, 0.05 * f64::from(step));
-        best.consider(tried)?;
-    }
-    best.descend(&[turn], (0.04, 0.002))?;
+    best.descend(&[turn_fov], (0.4, 0.002))?;
     Ok(best)
+}
+
+fn turn_fov(recipe: &mut Recipe, step: f64) {
+    let fov = &mut recipe.viewpoint.fov;
+    *fov = (*fov + step).clamp(1.0, 170.0);
+}
+
+fn turn_power(recipe: &mut Recipe, step: f64) {
+    recipe.power *= 1.0 + step;
+}
+
+fn turn_offset(recipe: &mut Recipe, step: f64) {
+    if let Some(ray) = &mut recipe.viewpoint.shadow {
+        ray.offset *= 1.0 + step;
+    }
 }
 
 /// Measures wrong colours again, now that the right pixels are known.
@@ -143,9 +140,6 @@ pub(super) fn snapped(mut recipe: Recipe, expected: &Recipe, tolerance: u8) -> R
     }
     recipe
 }
-
-/// Twentieths of a degree that are looked at to each side.
-const NEAR: i32 = 12;
 
 /// Fields of view differ by so many degrees.
 const SAME_FOV: f64 = 0.1;

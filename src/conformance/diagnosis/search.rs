@@ -68,8 +68,7 @@ pub(super) fn search<'a>(
     Ok((candidates, fine, number))
 }
 
-/// How near the candidates come to the picture. In another sampling than theirs, another loss may seem
-/// to fit.
+/// How near the candidates come to the picture.
 fn least_error(evidence: &Evidence, candidates: &[Candidate]) -> Result<f64, Invalid> {
     let [first, ..] = candidates else {
         return Ok(f64::INFINITY);
@@ -78,10 +77,7 @@ fn least_error(evidence: &Evidence, candidates: &[Candidate]) -> Result<f64, Inv
     for candidate in candidates.iter().take(PURSUED) {
         best.consider(candidate.recipe)?;
     }
-    if best.error > HOPELESS {
-        return Ok(best.error);
-    }
-    evidence.error(&in_its_conventions(evidence, best.recipe)?)
+    Ok(best.error)
 }
 
 /// The recipes nearest to the picture, of all with a few faults.

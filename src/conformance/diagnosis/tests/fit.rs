@@ -131,7 +131,12 @@ fn levels_may_be_off() {
             });
             let unexplained = fit(&shifted, &loss).0.unexplained;
             let words = format!("{by} {}: {unexplained}", loss.0);
-            assert_eq!(unexplained == 0.0, is_explained, "{words}");
+            let is_as_told = if is_explained {
+                unexplained == 0.0
+            } else {
+                unexplained > 0.3
+            };
+            assert!(is_as_told, "{words}");
         }
     }
 }

@@ -239,6 +239,9 @@ fn traces_are_left_out() {
         assert!(found.contains(&without), "{found:?}");
     }
     assert!(found.iter().all(|color| color[1] == 0.31));
+    let small = turned(&recipe, |r| r.colors[1] = [0.29, 0.25, 0.1]);
+    let mut found = without_traces(small, 1).into_iter();
+    assert!(found.any(|tried| tried.colors[1] == [0.0; 3]));
     let others = without_traces(recipe, 1);
     assert!(
         others

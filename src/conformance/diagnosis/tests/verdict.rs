@@ -180,6 +180,8 @@ fn places_of_a_fault_are_what_it_changes() {
                 .all(|&at| region.pixels().any(|(x, y)| at as u32 == y * 96 + x))
         );
         assert!(!diagnosis.invisible.contains(&code));
+        // The next explanation is one without it.
+        assert!(!diagnosis.margin.runner_up.contains(&code), "{code:?}");
     }
 }
 
