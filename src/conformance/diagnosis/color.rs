@@ -29,13 +29,14 @@ pub(super) fn refine(evidence: &Evidence, best: &mut Best, index: usize) -> Resu
         best.consider(tried)?;
     }
     for component in [0, 1, 2] {
-        let one = |r: &mut Recipe, step: f64| {
-            let color = &mut r.colors[index][component];
-            *color = (*color + step).max(0.0);
-        };
-        best.descend(&[one], STEPS)?;
+        let turn = |r: &mut Recipe, step| turn_component(&mut r.colors[index][component], step);
+        best.descend(&[turn], STEPS)?;
     }
     Ok(())
+}
+
+fn turn_component(component: &mut f64, step: f64) {
+    *component = (*component + step).max(0.0);
 }
 
 /// The recipes with some of a colour's small components at 0: one alone may gain nothing.

@@ -8,13 +8,14 @@ use crate::picture::Picture;
 pub(super) fn is_the_labs(picture: &Picture, loss: &dyn Loss) -> bool {
     let tolerance = 2 + loss.tolerance();
     let mut grey = [0_usize; 256];
-    let (mut colored, mut black, mut other) = (0_usize, 0_usize, 0_usize);
+    let (mut colored, mut other) = (0_usize, 0_usize);
     let pixels = picture.bytes().as_chunks::<3>().0;
     for &[red, green, blue] in pixels {
         let [low, middle, high] = sorted([red, green, blue]);
         if high <= tolerance {
-            black += 1;
-        } else if high - low <= tolerance {
+            continue;
+        }
+        if high - low <= tolerance {
             grey[usize::from(green)] += 1;
         } else if middle <= 2 * tolerance && green < high {
             colored += 1;
@@ -34,7 +35,7 @@ pub(super) fn is_the_labs(picture: &Picture, loss: &dyn Loss) -> bool {
         .unwrap_or(0);
     let stray = other + (all_grey - one_grey);
     let all = pixels.len();
-    stray * 25 <= all && colored * 20 >= all && (black + one_grey) < all
+    stray * 25 <= all && colored * 20 >= all
 }
 
 /// Whether a picture is of one colour, but for a few pixels: it says nothing.

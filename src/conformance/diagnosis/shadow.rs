@@ -55,23 +55,23 @@ pub(super) fn displaced(
 /// Moves a number of a shadow ray by a step.
 type Turn = fn(&mut ShadowRay, f64);
 
-fn offset(ray: &mut ShadowRay, step: f64) {
+fn turn_offset(ray: &mut ShadowRay, step: f64) {
     ray.offset = (ray.offset + step).max(0.0);
 }
 
-fn shift_x(ray: &mut ShadowRay, step: f64) {
+fn turn_shift_x(ray: &mut ShadowRay, step: f64) {
     ray.shift[0] += step;
 }
 
-fn shift_z(ray: &mut ShadowRay, step: f64) {
+fn turn_shift_z(ray: &mut ShadowRay, step: f64) {
     ray.shift[1] += step;
 }
 
-fn light_x(ray: &mut ShadowRay, step: f64) {
+fn turn_light_x(ray: &mut ShadowRay, step: f64) {
     ray.light[0] += step;
 }
 
-fn light_z(ray: &mut ShadowRay, step: f64) {
+fn turn_light_z(ray: &mut ShadowRay, step: f64) {
     ray.light[1] += step;
 }
 
@@ -90,7 +90,7 @@ pub(super) fn is_worth_a_walk(evidence: &Evidence, exact: Recipe) -> Result<bool
     let mut best = Best::of(evidence, exact)?;
     let enough = 0.97 * best.error;
     for by in [0.02, 0.1, 0.4] {
-        for turn in [offset, shift_x, shift_z] {
+        for turn in [turn_offset, turn_shift_x, turn_shift_z] {
             for step in [by, -by] {
                 let mut tried = exact;
                 of_recipe(turn)(&mut tried, step);
@@ -114,9 +114,9 @@ pub(super) fn shadow_rays<'a>(
         Ok(best)
     };
     Ok([
-        walk(&[offset], (0.512, 0.0005))?,
-        walk(&[shift_x, shift_z], (0.512, 0.002))?,
-        walk(&[light_x, light_z], (2.048, 0.01))?,
+        walk(&[turn_offset], (0.512, 0.0005))?,
+        walk(&[turn_shift_x, turn_shift_z], (0.512, 0.002))?,
+        walk(&[turn_light_x, turn_light_z], (2.048, 0.01))?,
     ])
 }
 

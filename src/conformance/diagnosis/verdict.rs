@@ -279,8 +279,7 @@ fn other_scene(picture: &Picture) -> Finding {
 /// at the horizon or nowhere, so only the whole picture tells.
 pub(super) fn with_t_max(whole: &Evidence, best: Recipe) -> Result<(Recipe, bool), Invalid> {
     let other = best.with_other_t_max();
-    let (a, b) = (whole.drawn(&best)?, whole.drawn(&other)?);
-    let shows = a.iter().zip(&b).any(|(a, b)| distance(a.rgb, b.rgb) > 2);
+    let shows = whole.drawn(&best)? != whole.drawn(&other)?;
     let mut best = Best::of(whole, best)?;
     if shows {
         best.consider(other)?;

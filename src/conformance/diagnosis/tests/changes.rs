@@ -47,6 +47,31 @@ fn every_fault_is_a_change() {
     }
 }
 
+/// Every figure may be another: one that is lit at the eye, one with shadows, one without acne.
+#[test]
+fn other_figures_are_tried() {
+    for (claimed, others) in [
+        ("1", &["2b", "3c"][..]),
+        ("2a", &["1", "3c"]),
+        ("2b", &["1", "3c"]),
+        ("3a", &["1", "3c"]),
+        ("3c", &["1"]),
+    ] {
+        let claimed = right(claimed);
+        let found = changes_of(&claimed, &claimed, &claimed);
+        for other in others {
+            let other = right(other);
+            let is_it = |change: &&Recipe| {
+                change.light_at_eye == other.light_at_eye
+                    && change.viewpoint.shadow == other.viewpoint.shadow
+                    && change.acne == [false; 2]
+                    && change.faults(&claimed).contains(&Code::OtherFigure)
+            };
+            assert_eq!(found.iter().filter(is_it).count(), 1, "{others:?}");
+        }
+    }
+}
+
 /// From one fault the others are a change away, and the fault itself is not.
 #[test]
 fn every_second_fault_is_a_change() {

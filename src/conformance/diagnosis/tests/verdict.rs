@@ -57,7 +57,18 @@ fn speckled(recipe: &Recipe, wide: u32, objects: [bool; 2], part: f64) -> (Pictu
 /// is told.
 fn acne_is_found(objects: [bool; 2], which: &'static str, part: f64) {
     let (picture, places) = speckled(&right("3c"), 96, objects, part);
-    let diagnosis = judged(&picture, "3c");
+    // What is off in another way is not acne: too bright, of another hue, or on another object.
+    let stray = changed(&picture, |at, [red, green, blue]| {
+        let is_lit = at % 96 > 20 && green == 0 && red.max(blue) > 40 && red.max(blue) < 200;
+        match at % 700 {
+            5 if is_lit => [red, 9, blue],
+            9 if is_lit => [red.saturating_add(9), green, blue.saturating_add(9)],
+            17 if is_lit && red > 0 && !objects[1] => [0; 3],
+            _ => [red, green, blue],
+        }
+    });
+    assert!(stray != picture);
+    let diagnosis = judged(&stray, "3c");
     assert_eq!(codes(&diagnosis), [Code::Acne], "{which} {part}");
     let [acne] = &diagnosis.findings[..] else {
         panic!("one")
@@ -267,6 +278,17 @@ fn the_largest_parameter_is_told_where_it_shows() {
             }
         }
     }
+}
+
+/// What cannot be told from a clamp is named beside it; no other fault has another name.
+#[test]
+fn a_clamp_may_be_a_conversion_that_saturates() {
+    let clamped = judged(&picture(&right("2b"), size(96, 64)), "2a");
+    assert_eq!(codes(&clamped), [Code::Clamped]);
+    assert_eq!(clamped.findings[0].or, Some(Code::Saturated));
+    let mirrored = with(&right("3c"), Code::Mirrored).expect("a fault");
+    let mirrored = judged(&picture(&mirrored, size(96, 64)), "3c");
+    assert_eq!(mirrored.findings[0].or, None);
 }
 
 /// Two findings come with the wider one first.
