@@ -51,28 +51,24 @@ impl Recipe {
 
     /// The pixel of these surfels.
     pub fn draw(&self, surfels: &[Surfel]) -> Drawn {
-        let [first, rest @ ..] = surfels else {
+        let (Some(first), Some(last)) = (surfels.first(), surfels.last()) else {
             return self.pixel([0.0; 3], Object::Background, false);
         };
-        let mut radiance = self.radiance(first);
-        if rest.is_empty() {
-            let is_lit = self.irradiance(first) > 0.0;
-            return self.pixel(radiance, first.object, is_lit);
+        let mut sum = [0.0; 3];
+        for surfel in surfels {
+            let radiance = self.radiance(surfel);
+            sum = [0, 1, 2].map(|c| sum[c] + radiance[c]);
         }
-        let (mut is_lit, mut same) = (self.irradiance(first) > 0.0, 1);
-        for surfel in rest {
-            let more = self.radiance(surfel);
-            radiance = [0, 1, 2].map(|c| radiance[c] + more[c]);
-            is_lit &= self.irradiance(surfel) > 0.0;
-            same += u32::from(surfel.object == first.object);
-        }
-        let count = surfels.len() as f64;
-        let object = if 2 * same >= surfels.len() as u32 {
-            first.object
+        let count = surfels.len();
+        let radiance = sum.map(|sum| sum / count as f64);
+        let same = surfels.iter().filter(|other| other.object == first.object);
+        let of_most = if 2 * same.count() >= count {
+            first
         } else {
-            rest[rest.len() - 1].object
+            last
         };
-        self.pixel(radiance.map(|sum| sum / count), object, is_lit)
+        let is_lit = surfels.iter().all(|surfel| self.irradiance(surfel) > 0.0);
+        self.pixel(radiance, of_most.object, is_lit)
     }
 
     fn radiance(&self, surfel: &Surfel) -> [f64; 3] {

@@ -5,7 +5,7 @@ use crate::conformance::diagnosis::evidence::Evidence;
 use crate::conformance::diagnosis::loss::Lossless;
 use crate::conformance::diagnosis::measure;
 use crate::conformance::diagnosis::recipe::{Recipe, Rounding, Sampling, Transfer};
-use crate::conformance::diagnosis::surface::{Object, Region};
+use crate::conformance::diagnosis::surface::{Object, Region, Surfel};
 use crate::error::Invalid;
 use crate::film::Film;
 use crate::picture::{Picture, Size};
@@ -159,6 +159,32 @@ fn powers() {
     let drawn = picture(&turned(&average, |r| r.power = 0.5), small());
     let found = measured(&drawn, &average, measure::power).expect("a power");
     assert!((found - 0.5).abs() < 0.01, "{found}");
+    // Also where each of them is.
+    let [black, half] = [1e-6, 0.5].map(|power| turned(&average, |r| r.power = power));
+    let [black, drawn] = [black, half].map(|recipe| picture(&recipe, size(240, 160)));
+    let all = whole(&black, &Lossless).surfels(&average.viewpoint);
+    let all = all.expect("a viewpoint");
+    let places = (0..160).flat_map(|top| (0..240).map(move |left| (left, top)));
+    let is_split = |pixel: &[Surfel]| {
+        pixel.len() > 1
+            && pixel
+                .iter()
+                .all(|s| s.object == Object::Plane && !s.is_shadowed)
+    };
+    let split = places
+        .zip(all.pixels())
+        .filter(|(_, pixel)| is_split(pixel));
+    let regions = split.map(|((left, top), _)| Region {
+        left,
+        top,
+        width: 1,
+        height: 1,
+    });
+    let evidence = Evidence::new(&drawn, regions.collect(), &Lossless);
+    let found = measure::power(&evidence, &average)
+        .expect("a viewpoint")
+        .expect("a power");
+    assert!((found - 0.5).abs() < 0.02, "{found}");
     // A black object says nothing; the other one does.
     let black = turned(&right("3c"), |r| r.colors[1] = [0.0; 3]);
     let drawn = picture(&turned(&black, |r| r.power = 0.5), small());

@@ -2,6 +2,7 @@
 
 use super::{changed, picture, random, right, size, turned, whole};
 use crate::conformance::diagnosis::clauses::with;
+use crate::conformance::diagnosis::evidence::distance;
 use crate::conformance::diagnosis::finding::Estimate;
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::recipe::{Recipe, ShadowRay};
@@ -105,8 +106,8 @@ fn acne_of_the_plane_is_found() {
 }
 
 /// Averages of acne are acne too, and no darker colour or weaker light.
-fn averaged_acne_is_acne(losses: &[&dyn Loss]) {
-    let expected = turned(&right("3c"), |r| r.viewpoint.sampling = Sampling::Average);
+fn averaged_acne_is_acne(sampling: Sampling, losses: &[&dyn Loss], is_told: bool) {
+    let expected = turned(&right("3c"), |r| r.viewpoint.sampling = sampling);
     let size = size(80, 54);
     let drawn = whole(&Picture::black(size), &Lossless).drawn(&expected);
     let drawn = drawn.expect("a viewpoint");
@@ -121,17 +122,21 @@ fn averaged_acne_is_acne(losses: &[&dyn Loss]) {
     let diagnosis = judged_with(&noisy, losses);
     assert_eq!(codes(&diagnosis), [Code::Acne], "{diagnosis:?}");
     let averaged = ("averaged", Estimate::Name("plane"));
-    assert!(diagnosis.findings[0].estimates.contains(&averaged));
+    let estimates = &diagnosis.findings[0].estimates;
+    assert_eq!(estimates.contains(&averaged), is_told, "{diagnosis:?}");
 }
 
 #[test]
 fn averaged_acne_is_acne_without_a_loss() {
-    averaged_acne_is_acne(&[]);
+    averaged_acne_is_acne(Sampling::Average, &[], true);
+    averaged_acne_is_acne(Sampling::Corner, &[], true);
 }
 
 #[test]
 fn averaged_acne_is_acne_through_a_loss() {
-    averaged_acne_is_acne(&[&Coarse(4)]);
+    averaged_acne_is_acne(Sampling::Average, &[&Coarse(4)], true);
+    // A loss makes averages too.
+    averaged_acne_is_acne(Sampling::Corner, &[&Coarse(4)], false);
 }
 
 /// What is darker without speckles has a darker colour, in whatever sampling and through a loss.
@@ -191,6 +196,7 @@ fn places_of_a_fault_are_what_it_changes() {
                 .all(|&at| region.pixels().any(|(x, y)| at as u32 == y * 96 + x))
         );
         assert!(!diagnosis.invisible.contains(&code));
+        assert_eq!(diagnosis.findings[0].clause(), code.clause());
         // The next explanation is one without it.
         assert!(!diagnosis.margin.runner_up.contains(&code), "{code:?}");
     }
@@ -249,7 +255,7 @@ fn a_fault_must_explain_more_than_it_spoils() {
         let faulty = with(&right, code).expect("a fault");
         let [plain, wrong] = [right, faulty].map(|recipe| picture(&recipe, size(96, 64)));
         let wrong = wrong.bytes().as_chunks::<3>().0;
-        for (part, is_one) in [(0.0, false), (0.5, false), (0.6, true), (1.0, true)] {
+        for (part, is_one) in [(0.0, false), (0.53, false), (0.6, true), (1.0, true)] {
             let mut random = random(6);
             let is_wrong: Vec<bool> = (0..wrong.len()).map(|_| random() < part).collect();
             let mixed = changed(&plain, |at, rgb| if is_wrong[at] { wrong[at] } else { rgb });
@@ -289,6 +295,19 @@ fn a_clamp_may_be_a_conversion_that_saturates() {
     let mirrored = with(&right("3c"), Code::Mirrored).expect("a fault");
     let mirrored = judged(&picture(&mirrored, size(96, 64)), "3c");
     assert_eq!(mirrored.findings[0].or, None);
+}
+
+/// Another figure's places are where it is another.
+#[test]
+fn places_of_another_figure() {
+    let [claimed, drawn] = ["3c", "1"].map(|figure| picture(&right(figure), size(96, 64)));
+    let diagnosis = judged(&drawn, "3c");
+    assert_eq!(codes(&diagnosis), [Code::OtherFigure]);
+    let pairs = claimed.bytes().as_chunks::<3>().0.iter();
+    let pairs = pairs.zip(drawn.bytes().as_chunks::<3>().0).enumerate();
+    let differ = pairs.filter(|(_, (a, b))| distance(**a, **b) > 2);
+    let places: Vec<usize> = differ.map(|(at, _)| at).collect();
+    assert_eq!(diagnosis.findings[0].places, places);
 }
 
 /// Two findings come with the wider one first.

@@ -161,7 +161,7 @@ fn acne_is_told_by_its_look() {
     for (partly, may_average, is_noise) in [
         (201, true, true),
         (201, false, false),
-        (199, true, false),
+        (200, true, false),
         (199, false, false),
     ] {
         let (words, estimates) = acne([None, Some(speckle(partly))], may_average);
