@@ -75,7 +75,9 @@ fn nothing_is_named_of_kernels_that_are_right_or_wrong_in_no_known_way() {
 fn codes_of_part(cases: &[Case], fault: &str, part: f64) -> BTreeSet<&'static str> {
     let mut state = 1_u64;
     let trial = Trial::of::<f64>(cases, |question| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
         let is_wrong = ((state >> 40) as f64) < part * f64::from(1 << 24);
         let answer = is_wrong.then(|| wrong::answer(fault, question)).flatten();
         answer.or_else(|| RIGHT.answer(question).ok())

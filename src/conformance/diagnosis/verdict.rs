@@ -125,7 +125,11 @@ fn necessary(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<
 }
 
 /// Whether a recipe explains the pixels in which the two differ clearly better than the other.
-pub(super) fn is_better(whole: &Evidence, recipe: &Recipe, other: &Recipe) -> Result<bool, Invalid> {
+pub(super) fn is_better(
+    whole: &Evidence,
+    recipe: &Recipe,
+    other: &Recipe,
+) -> Result<bool, Invalid> {
     let (drawn, other_drawn) = (whole.predicted(recipe)?, whole.predicted(other)?);
     let (places, _) = difference(&drawn, &other_drawn, whole.size.width(), 1);
     let error = |recipe: &Recipe, drawn: &[Drawn]| -> f64 {
