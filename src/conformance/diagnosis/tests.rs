@@ -3,6 +3,7 @@
 #[path = "../../../tests/support/naive.rs"]
 mod naive;
 
+mod acne;
 mod changes;
 mod clauses;
 mod drawing;
@@ -20,6 +21,7 @@ use super::evidence::Evidence;
 use super::loss::{Loss, Lossless};
 use super::recipe::Recipe;
 use super::surface::Region;
+use super::{Code, Diagnosis, diagnose};
 use crate::figure::Figure;
 use crate::lab;
 use crate::picture::{Picture, Size};
@@ -78,5 +80,43 @@ fn random(seed: u32) -> impl FnMut() -> f64 {
         state ^= state >> 7;
         state ^= state << 17;
         (state >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// What is said of a picture of a figure.
+fn judged(picture: &Picture, figure: &str) -> Diagnosis {
+    let figure = Figure::named(figure).expect("a figure");
+    diagnose(picture, figure, &[]).expect("a size that is judged")
+}
+
+/// What is said of a picture of Figure 3(c) that a file has taken something from.
+fn judged_with(picture: &Picture, losses: &[&dyn Loss]) -> Diagnosis {
+    let size = picture.size();
+    let mut pixels = picture.bytes().as_chunks::<3>().0.to_vec();
+    for loss in losses {
+        loss.degrade(size.width(), size.height(), &mut pixels);
+    }
+    let picture = Picture::from_pixels(size, pixels).expect("all pixels");
+    let figure = Figure::named("3c").expect("a figure");
+    diagnose(&picture, figure, losses).expect("a size that is judged")
+}
+
+/// The faults that are named.
+fn codes(diagnosis: &Diagnosis) -> Vec<Code> {
+    diagnosis.findings.iter().map(|found| found.code).collect()
+}
+
+/// A loss that leaves of each byte its upper part.
+struct Coarse(u8);
+
+impl Loss for Coarse {
+    fn degrade(&self, _: u32, _: u32, pixels: &mut [[u8; 3]]) {
+        for pixel in pixels {
+            *pixel = pixel.map(|byte| byte / self.0 * self.0);
+        }
+    }
+
+    fn tolerance(&self) -> u8 {
+        self.0
     }
 }

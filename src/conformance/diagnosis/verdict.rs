@@ -8,6 +8,7 @@ use super::finding::{self, Finding};
 use super::fit::{Fit, around, difference};
 use super::loss::Loss;
 use super::recipe::Recipe;
+use super::refine::factor;
 use super::search::{Candidate, finely, in_its_conventions, search};
 use super::shade::Drawn;
 use super::surface::{Object, Region};
@@ -86,11 +87,15 @@ fn with_acne(whole: &Evidence, mut recipe: Recipe, expected: &Recipe) -> Result<
             continue;
         };
         let speckle = Speckle::of(whole, &bright, &bright_drawn, object);
-        if speckle.is_acne(tolerance) {
+        if speckle.is_acne(tolerance) && (tolerance > 0 || speckle.is_averaged()) {
             let mut darkened = recipe;
             darkened.acne[index] = true;
             (darkened.power, darkened.colors[index]) = (bright.power, bright.colors[index]);
-            if whole.error(&darkened)? <= whole.error(&recipe)? {
+            // A darker colour of the same hue would not be speckled.
+            let is_darker = recipe.power == expected.power
+                && factor(recipe.colors[index], expected.colors[index], tolerance)
+                    .is_some_and(|x| x < 1.0);
+            if is_darker || whole.error(&darkened)? <= whole.error(&recipe)? {
                 recipe = darkened;
                 continue;
             }
