@@ -15,7 +15,7 @@ pub(super) const HOPELESS: f64 = 24.0;
 
 /// A recipe to which nothing that was tried is nearer, and its error, in levels.
 pub(super) struct Best<'a> {
-    evidence: &'a Evidence<'a>,
+    pub evidence: &'a Evidence<'a>,
     pub recipe: Recipe,
     pub error: f64,
 }

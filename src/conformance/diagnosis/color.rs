@@ -1,7 +1,6 @@
 //! A colour that was measured in another convention or through a loss, and is found by trying.
 
 use super::best::Best;
-use super::evidence::Evidence;
 use super::measure;
 use super::recipe::Recipe;
 use super::surface::Object;
@@ -9,7 +8,8 @@ use crate::error::Invalid;
 
 /// Brings an object's colour nearer. What a loss does to a measurement is measured on the prediction, and
 /// taken off; then small components are tried as 0, and each is moved.
-pub(super) fn refine(evidence: &Evidence, best: &mut Best, index: usize) -> Result<(), Invalid> {
+pub(super) fn refine(best: &mut Best, index: usize) -> Result<(), Invalid> {
+    let evidence = best.evidence;
     let object = [Object::Sphere, Object::Plane][index];
     let Some(seen) = measure::color(evidence, &best.recipe, object)? else {
         return Ok(());

@@ -37,7 +37,7 @@ pub(super) fn refined(
     }
     for object in [0, 1] {
         if best.recipe.colors[object] != expected.colors[object] {
-            color::refine(evidence, &mut best, object)?;
+            color::refine(&mut best, object)?;
         }
     }
     let recipe = factored(best.recipe, expected);

@@ -55,29 +55,21 @@ pub(super) fn search<'a>(
 ) -> Result<(Vec<Candidate>, Evidence<'a>, usize), Invalid> {
     let rough = Evidence::sample(picture, ROUGH, &Lossless);
     let candidates = roughly(&rough, expected, losses.is_empty())?;
-    let fine = |loss| Evidence::sample(picture, FINE, loss);
     let mut nearest: Option<(Evidence, usize, f64)> = None;
     for (number, loss) in losses.iter().enumerate() {
-        let fine = fine(*loss);
-        let error = least_error(&fine, &candidates)?;
+        let fine = Evidence::sample(picture, FINE, *loss);
+        let mut error = f64::INFINITY;
+        for candidate in candidates.iter().take(PURSUED) {
+            error = error.min(fine.error(&candidate.recipe)?);
+        }
         if nearest.as_ref().is_none_or(|(.., least)| error < *least) {
             nearest = Some((fine, number, error));
         }
     }
-    let (fine, number, _) = nearest.unwrap_or_else(|| (fine(&Lossless), 0, 0.0));
-    Ok((candidates, fine, number))
-}
-
-/// How near the candidates come to the picture.
-fn least_error(evidence: &Evidence, candidates: &[Candidate]) -> Result<f64, Invalid> {
-    let [first, ..] = candidates else {
-        return Ok(f64::INFINITY);
-    };
-    let mut best = Best::of(evidence, first.recipe)?;
-    for candidate in candidates.iter().take(PURSUED) {
-        best.consider(candidate.recipe)?;
-    }
-    Ok(best.error)
+    Ok(match nearest {
+        Some((fine, number, _)) => (candidates, fine, number),
+        None => (candidates, Evidence::sample(picture, FINE, &Lossless), 0),
+    })
 }
 
 /// The recipes nearest to the picture, of all with a few faults.

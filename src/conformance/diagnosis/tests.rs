@@ -89,16 +89,36 @@ fn judged(picture: &Picture, figure: &str) -> Diagnosis {
     diagnose(picture, figure, &[]).expect("a size that is judged")
 }
 
-/// What is said of a picture of Figure 3(c) that a file has taken something from.
-fn judged_with(picture: &Picture, losses: &[&dyn Loss]) -> Diagnosis {
+/// A picture that a file has taken something from.
+fn lossy(picture: &Picture, loss: &dyn Loss) -> Picture {
     let size = picture.size();
     let mut pixels = picture.bytes().as_chunks::<3>().0.to_vec();
-    for loss in losses {
-        loss.degrade(size.width(), size.height(), &mut pixels);
-    }
-    let picture = Picture::from_pixels(size, pixels).expect("all pixels");
+    loss.degrade(size.width(), size.height(), &mut pixels);
+    Picture::from_pixels(size, pixels).expect("all pixels")
+}
+
+/// What is said of a picture of Figure 3(c) of which a file has taken this.
+fn judged_with(picture: &Picture, loss: &dyn Loss) -> Diagnosis {
     let figure = Figure::named("3c").expect("a figure");
-    diagnose(&picture, figure, losses).expect("a size that is judged")
+    diagnose(&lossy(picture, loss), figure, &[loss]).expect("a size that is judged")
+}
+
+/// A picture of which a part of the pixels, here and there, is another's.
+fn mixed(picture: &Picture, other: &Picture, part: f64, seed: u32) -> Picture {
+    let mut random = random(seed);
+    let pixels = other.bytes().as_chunks::<3>().0;
+    let is_other: Vec<bool> = pixels.iter().map(|_| random() < part).collect();
+    changed(
+        picture,
+        |at, rgb| if is_other[at] { pixels[at] } else { rgb },
+    )
+}
+
+fn is_near(found: f64, drawn: f64, tolerance: f64) {
+    assert!(
+        (found - drawn).abs() <= tolerance,
+        "{found}, but {drawn} was drawn"
+    );
 }
 
 /// The faults that are named.

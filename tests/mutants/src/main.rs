@@ -46,7 +46,7 @@ struct Cli {
     #[arg(value_name = "PATH", default_value = "src")]
     paths: Vec<String>,
 
-    /// Only the tests of this package: ombrage builds in half of the time that all take
+    /// Only the tests of this package: those of ombrage build sooner than all
     #[arg(long, value_name = "NAME")]
     package: Option<String>,
 

@@ -83,7 +83,7 @@ fn acne_of_the_plane_is_found() {
 }
 
 /// Averages of acne are acne too, and no darker colour or weaker light.
-fn averaged_acne_is_acne(sampling: Sampling, losses: &[&dyn Loss], is_told: bool) {
+fn averaged_acne_is_acne(sampling: Sampling, loss: &dyn Loss, is_told: bool) {
     let expected = turned(&right("3c"), |r| r.viewpoint.sampling = sampling);
     let size = size(80, 54);
     let drawn = whole(&Picture::black(size), &Lossless).drawn(&expected);
@@ -96,7 +96,7 @@ fn averaged_acne_is_acne(sampling: Sampling, losses: &[&dyn Loss], is_told: bool
         let share = if is_plane { shares[at] } else { 1.0 };
         rgb.map(|byte| (f64::from(byte) * share) as u8)
     });
-    let diagnosis = judged_with(&noisy, losses);
+    let diagnosis = judged_with(&noisy, loss);
     assert_eq!(codes(&diagnosis), [Code::Acne], "{diagnosis:?}");
     let averaged = ("averaged", Estimate::Name("plane"));
     let estimates = &diagnosis.findings[0].estimates;
@@ -105,15 +105,15 @@ fn averaged_acne_is_acne(sampling: Sampling, losses: &[&dyn Loss], is_told: bool
 
 #[test]
 fn averaged_acne_is_acne_without_a_loss() {
-    averaged_acne_is_acne(Sampling::Average, &[], true);
-    averaged_acne_is_acne(Sampling::Corner, &[], true);
+    averaged_acne_is_acne(Sampling::Average, &Lossless, true);
+    averaged_acne_is_acne(Sampling::Corner, &Lossless, true);
 }
 
 #[test]
 fn averaged_acne_is_acne_through_a_loss() {
-    averaged_acne_is_acne(Sampling::Average, &[&Coarse(4)], true);
+    averaged_acne_is_acne(Sampling::Average, &Coarse(4), true);
     // A loss makes averages too.
-    averaged_acne_is_acne(Sampling::Corner, &[&Coarse(4)], false);
+    averaged_acne_is_acne(Sampling::Corner, &Coarse(4), false);
 }
 
 /// What is darker without speckles has a darker colour, in whatever sampling and through a loss.
@@ -123,9 +123,9 @@ fn darker_colours_are_no_acne() {
         r.colors[1] = [0.6, 0.0, 0.0];
         r.viewpoint.sampling = Sampling::Average;
     });
-    let losses: [&[&dyn Loss]; 2] = [&[], &[&Coarse(4)]];
-    for losses in losses {
-        let diagnosis = judged_with(&picture(&dark, size(80, 54)), losses);
+    let losses: [&dyn Loss; 2] = [&Lossless, &Coarse(4)];
+    for loss in losses {
+        let diagnosis = judged_with(&picture(&dark, size(80, 54)), loss);
         assert_eq!(codes(&diagnosis), [Code::WrongColour], "{diagnosis:?}");
     }
 }

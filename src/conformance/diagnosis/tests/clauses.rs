@@ -7,7 +7,7 @@ use crate::conformance::diagnosis::evidence::{Evidence, distance};
 use crate::conformance::diagnosis::loss::Lossless;
 use crate::conformance::diagnosis::recipe::Recipe;
 use crate::conformance::diagnosis::surface::Region;
-use crate::picture::{Picture, Size};
+use crate::picture::Picture;
 
 const FIGURES: [&str; 5] = ["1", "2a", "2b", "3a", "3c"];
 
@@ -180,7 +180,7 @@ fn faults_are_made_one_by_one() {
 /// nor does any number of pixels with a difference of two.
 #[test]
 fn eight_pixels_show_a_fault() {
-    let size: Size = size(SIZE.0, SIZE.1);
+    let size = size(SIZE.0, SIZE.1);
     let right = right("3c");
     let black = Picture::black(size);
     let whole = whole(&black, &Lossless);

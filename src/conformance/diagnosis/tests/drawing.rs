@@ -235,6 +235,7 @@ fn pixels_of_one_piece_are_seen_once() {
                 let is_of_one = four.iter().all(|&s| kind(s) == kind(four[0]));
                 let seen = pixels[(y * side + x) as usize].len();
                 assert!([1, 16].contains(&seen), "{x} {y}: {seen}");
+                // Nearer to a tenth than that, rounding in f32 decides.
                 if (apart - 0.1).abs() > 1e-4 {
                     let once = is_of_one && apart < 0.1;
                     assert_eq!(seen == 1, once, "{x} {y}: {four:?}");

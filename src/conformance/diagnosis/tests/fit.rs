@@ -131,6 +131,7 @@ fn levels_may_be_off() {
             });
             let unexplained = fit(&shifted, &loss).0.unexplained;
             let words = format!("{by} {}: {unexplained}", loss.0);
+            // What is black, and gets no darker, is less than two thirds.
             let is_as_told = if is_explained {
                 unexplained == 0.0
             } else {

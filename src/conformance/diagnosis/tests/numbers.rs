@@ -1,6 +1,6 @@
 //! Numbers that are found by trying.
 
-use super::{picture, right, size, turned, whole};
+use super::{is_near, picture, right, size, turned, whole};
 use crate::conformance::diagnosis::Code;
 use crate::conformance::diagnosis::color::without_traces;
 use crate::conformance::diagnosis::evidence::Evidence;
@@ -21,13 +21,6 @@ fn drawn(recipe: &Recipe) -> Picture {
 fn refine(guess: &Recipe, of: &Recipe) -> Recipe {
     let expected = right("3c");
     refined(&whole(&drawn(of), &Lossless), *guess, &expected).expect("viewpoints")
-}
-
-fn is_near(found: f64, drawn: f64, tolerance: f64) {
-    assert!(
-        (found - drawn).abs() <= tolerance,
-        "{found}, but {drawn} was drawn"
-    );
 }
 
 fn are_near(found: [f64; 3], drawn: [f64; 3]) {

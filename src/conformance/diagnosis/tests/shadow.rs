@@ -1,6 +1,6 @@
 //! Where the shadow lies.
 
-use super::{changed, picture, random, right, size, turned, whole};
+use super::{changed, is_near, mixed, picture, right, size, turned, whole};
 use crate::conformance::diagnosis::Code;
 use crate::conformance::diagnosis::evidence::distance;
 use crate::conformance::diagnosis::loss::Lossless;
@@ -47,13 +47,6 @@ fn found(picture: &Picture) -> Recipe {
     let (right, evidence) = (right("3c"), whole(picture, &Lossless));
     let drawn = evidence.drawn(&right).expect("a viewpoint");
     displaced(picture, &evidence, &right, &drawn).expect("viewpoints")
-}
-
-fn is_near(found: f64, drawn: f64, tolerance: f64) {
-    assert!(
-        (found - drawn).abs() <= tolerance,
-        "{found}, but {drawn} was drawn"
-    );
 }
 
 /// What may have moved a shadow is found, each by its own kind of ray, and explains it best.
@@ -118,11 +111,7 @@ fn a_displacement_explains_more_than_it_spoils() {
     for ray in [offset(0.4), shift(0.4, -0.3), light(-2.0, 1.5)] {
         let [exact, moved] = [right, with(ray)].map(|recipe| picture(&recipe, size));
         for (part, is_believed) in [(0.53, false), (0.6, true)] {
-            let mut random = random(5);
-            let is_moved: Vec<bool> = (0..size.pixels()).map(|_| random() < part).collect();
-            let moved = moved.bytes().as_chunks::<3>().0;
-            let mixed = changed(&exact, |at, rgb| if is_moved[at] { moved[at] } else { rgb });
-            let found = found(&mixed);
+            let found = found(&mixed(&exact, &moved, part, 5));
             assert_eq!(found != right, is_believed, "{ray:?} {part}");
         }
     }

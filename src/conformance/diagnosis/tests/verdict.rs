@@ -1,6 +1,8 @@
 //! From a picture to what is said of it.
 
-use super::{Coarse, changed, codes, judged, picture, random, right, size, turned, whole};
+use super::{
+    Coarse, changed, codes, judged, lossy, mixed, picture, random, right, size, turned, whole,
+};
 use crate::conformance::diagnosis::clauses::with;
 use crate::conformance::diagnosis::evidence::distance;
 use crate::conformance::diagnosis::finding::Estimate;
@@ -97,11 +99,8 @@ fn a_fault_must_explain_more_than_it_spoils() {
     for code in [Code::Mirrored, Code::WrongBackground, Code::PlaneMissing] {
         let faulty = with(&right, code).expect("a fault");
         let [plain, wrong] = [right, faulty].map(|recipe| picture(&recipe, size(96, 64)));
-        let wrong = wrong.bytes().as_chunks::<3>().0;
         for (part, is_one) in [(0.0, false), (0.53, false), (0.6, true), (1.0, true)] {
-            let mut random = random(6);
-            let is_wrong: Vec<bool> = (0..wrong.len()).map(|_| random() < part).collect();
-            let mixed = changed(&plain, |at, rgb| if is_wrong[at] { wrong[at] } else { rgb });
+            let mixed = mixed(&plain, &wrong, part, 6);
             let evidence = whole(&mixed, &Lossless);
             let found = is_better(&evidence, &faulty, &right).expect("viewpoints");
             assert_eq!(found, is_one, "{code:?} {part}");
@@ -238,12 +237,9 @@ fn the_loss_is_found() {
     let (expected, size) = (right("3c"), size(96, 64));
     let losses: [&dyn Loss; 2] = [&Coarse(3), &Coarse(8)];
     for (number, loss) in losses.iter().enumerate() {
-        // In another sampling than the lab's, another loss may seem to fit.
         for sampling in [Sampling::Corner, Sampling::Center] {
             let recipe = turned(&expected, |r| r.viewpoint.sampling = sampling);
-            let mut pixels = picture(&recipe, size).bytes().as_chunks::<3>().0.to_vec();
-            loss.degrade(96, 64, &mut pixels);
-            let picture = Picture::from_pixels(size, pixels).expect("all pixels");
+            let picture = lossy(&picture(&recipe, size), *loss);
             let found = search(&picture, &expected, &losses).expect("viewpoints");
             assert_eq!(
                 (found.2, found.1.loss.tolerance()),
