@@ -193,3 +193,19 @@ fn powers() {
     let all = turned(&black, |r| r.colors[0] = [0.0; 3]);
     assert_eq!(measured(&drawn, &all, measure::power), None);
 }
+
+/// Bright pixels that wrap around say nothing: dim ones tell how bright they would be.
+#[test]
+fn what_wraps_around_is_not_measured() {
+    for figure in ["2a", "2b", "3c"] {
+        let knobs = turned(&right(figure), |r| r.film = Film::Wrap);
+        for power in [1.0, 3.0, 8.0] {
+            let drawn = picture(&turned(&knobs, |r| r.power = power), small());
+            let found = measured(&drawn, &knobs, measure::power).expect("a power");
+            assert!(
+                (found / power - 1.0).abs() < 0.02,
+                "{figure} {power}: {found}"
+            );
+        }
+    }
+}

@@ -91,6 +91,42 @@ fn three_faults_are_found() {
     assert_eq!(faults, codes);
 }
 
+/// Of two faults either alone may leave a picture as far from this one as it was, or further: nobody
+/// comes nearer by one step.
+#[test]
+fn pairs_are_found_of_which_one_alone_explains_nothing() {
+    type Turn = fn(&mut Recipe);
+    let pairs: [(&str, Turn, Turn, [Code; 2]); 2] = [
+        (
+            "3c",
+            |r| r.falloff = 0,
+            |r| r.swapped = true,
+            [Code::NoFalloff, Code::RedBlueSwapped],
+        ),
+        (
+            "2a",
+            |r| r.falloff = 1,
+            |r| r.viewpoint.mirrored = true,
+            [Code::LinearFalloff, Code::Mirrored],
+        ),
+    ];
+    let size = size(96, 64);
+    for (figure, one, other, pair) in pairs {
+        let expected = right(figure);
+        let both = turned(&turned(&expected, one), other);
+        let drawn = picture(&both, size);
+        let seen = whole(&drawn, &Lossless);
+        let error = |recipe: &Recipe| seen.error(recipe).expect("a viewpoint");
+        for turn in [one, other] {
+            let alone = turned(&expected, turn);
+            assert!(1.2 * error(&alone) > error(&expected), "{pair:?}");
+        }
+        let mut found = codes(&judged(&drawn, figure));
+        found.sort_unstable();
+        assert_eq!(found, pair);
+    }
+}
+
 /// A fault explains a picture better than its absence where it is nearer by a fifth in the pixels that
 /// it changes: five in nine of them, if the others are as without it.
 #[test]
