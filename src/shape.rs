@@ -92,3 +92,6 @@ fn gamma<S: Scalar>(n: f64) -> f64 {
     let nu = n * S::EPSILON / 2.0;
     nu / (1.0 - nu)
 }
+
+#[cfg(test)]
+mod tests;

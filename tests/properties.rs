@@ -19,6 +19,7 @@ mod properties {
     pub mod double_double;
     pub mod film;
     pub mod kleene;
+    pub mod leave;
     pub mod light;
     pub mod losses;
     pub mod names;
@@ -95,6 +96,11 @@ properties! {
         offset_along_the_opposite_normal_is_the_mirror_image
         interval_is_closed_and_holds_no_nan
         step_goes_from_number_to_number
+    }
+    in both floats, leave {
+        it_is_the_next_number_off_a_surface
+        a_point_that_is_off_stays
+        where_no_way_helps_the_point_stays
     }
     in both floats, film {
         bytes_around_every_level_are_exact
@@ -187,6 +193,7 @@ properties! {
     }
     once, names {
         shadows_are_read_from_their_names
+        qualities_are_read_from_their_names
         sizes_that_are_judged
     }
 }

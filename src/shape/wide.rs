@@ -149,3 +149,6 @@ pub(super) fn surely_in<W: Scalar>(t: W, span: &Span<W>, trust: f64) -> Option<b
     let sure = |end: W| !end.is_finite() || (t - end).abs().gt((t.abs() + end.abs()) * trust);
     (t.is_finite() && sure(span.min) && sure(span.max)).then(|| span.min.lt(t) & t.lt(span.max))
 }
+
+#[cfg(test)]
+pub(super) mod tests;

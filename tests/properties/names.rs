@@ -2,7 +2,7 @@
 
 use crate::property::for_all;
 use ombrage::conformance::diagnosis::check_size;
-use ombrage::{Shadow, Size};
+use ombrage::{Quality, Shadow, Size};
 use proptest::prelude::*;
 
 /// A strategy is read from its name, with any length that it may have, and from no other text.
@@ -31,6 +31,17 @@ pub fn shadows_are_read_from_their_names() {
         "t-min=inf",
     ] {
         assert_eq!(Shadow::named(name), None, "{name}");
+    }
+}
+
+/// A quality is read from its name, and from no other text.
+pub fn qualities_are_read_from_their_names() {
+    for quality in Quality::ALL {
+        assert_eq!(Quality::named(quality.name()), Some(quality));
+        assert!(quality.name().len() > 3);
+    }
+    for name in ["", "Stable", "best"] {
+        assert_eq!(Quality::named(name), None, "{name}");
     }
 }
 

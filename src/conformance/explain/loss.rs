@@ -121,9 +121,10 @@ pub(super) fn of_sphere(ray: &Ray<D>, sphere: &Sphere<D>, quality: Quality) -> O
     // b² - c, of which the square of the distance to the center is the largest term.
     let cancels = Loss::Cancellation(ratio(b * b, rest));
     // A line as near as this passes the center at 63/64 of the radius or more.
-    let touches = tangency.bits() >= 5.0;
+    if tangency.bits() >= 5.0 {
+        return Some(tangency);
+    }
     match quality {
-        _ if touches => Some(tangency),
         Quality::Textbook => cancels.if_large(),
         Quality::Stable | Quality::Wide => None,
     }

@@ -105,3 +105,6 @@ impl<W: Scalar> Question<W> {
         hit.then_some(parameter)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -56,11 +56,7 @@ impl<W: Scalar> Question<W> {
         let (ff, rr) = (f.dot(f), self.radius * self.radius);
         let moment = f.cross(d);
         let discriminant = a * rr - moment.dot(moment);
-        // What the components of the moment are differences of.
-        let [fx, fy, fz] = f.abs().to_array();
-        let [dx, dy, dz] = d.abs().to_array();
-        let terms = W::Vector::new(fy * dz + fz * dy, fz * dx + fx * dz, fx * dy + fy * dx);
-        let noise = a * rr + moment.abs().dot(terms) + terms.dot(terms) * trusted;
+        let noise = a * rr + noise::<W>(f, d, moment, trusted);
         if !discriminant.abs().gt(noise * trusted) {
             return None;
         }
@@ -119,6 +115,14 @@ impl<W: Scalar> Question<W> {
     }
 }
 
+/// The sizes of the terms of `|f x d|²`, whose components are themselves differences of terms.
+fn noise<W: Scalar>(f: W::Vector, d: W::Vector, moment: W::Vector, trusted: W) -> W {
+    let [fx, fy, fz] = f.abs().to_array();
+    let [dx, dy, dz] = d.abs().to_array();
+    let terms = W::Vector::new(fy * dz + fz * dy, fz * dx + fx * dz, fx * dy + fy * dx);
+    moment.abs().dot(terms) + terms.dot(terms) * trusted
+}
+
 /// How the two roots compare with a parameter.
 struct Place {
     near: Ordering,
@@ -158,3 +162,6 @@ fn place<W: Scalar>(t: W, from_center: &Exact3, direction: &Exact3, rr: &Expansi
         },
     }
 }
+
+#[cfg(test)]
+mod tests;
