@@ -1,8 +1,8 @@
 //! What speckles are, and what looks like them and is none.
 
-use super::{changed, picture, random, right, size, whole};
+use super::{Coarse, changed, picture, random, right, size, whole};
 use crate::conformance::diagnosis::acne::Speckle;
-use crate::conformance::diagnosis::loss::Lossless;
+use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::recipe::Recipe;
 use crate::conformance::diagnosis::shade::Drawn;
 use crate::conformance::diagnosis::surface::Object;
@@ -94,6 +94,23 @@ fn pixels_inside_are_counted() {
         }
         assert_eq!(right.lit, inside);
     }
+}
+
+/// The more a loss may take from a byte, the brighter are the pixels that say anything.
+#[test]
+fn dim_pixels_say_nothing_through_a_loss() {
+    let case = Case::wide();
+    let of = |loss: &dyn Loss| {
+        let evidence = whole(&case.picture, loss);
+        Speckle::of(&evidence, &case.recipe, &case.drawn, Object::Plane).lit
+    };
+    let lit = [
+        of(&Lossless),
+        of(&Coarse(2)),
+        of(&Coarse(4)),
+        of(&Coarse(8)),
+    ];
+    assert!(lit.is_sorted_by(|more, fewer| more > fewer), "{lit:?}");
 }
 
 /// Pixels that are black or not, each by itself, are as many as were made black; and as rough as
