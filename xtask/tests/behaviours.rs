@@ -4,7 +4,9 @@
 mod wrong;
 
 use ombrage::Float;
-use ombrage::conformance::{Behaviour, Case, Evidence, Kernel, Trial, recognise, vectors};
+use ombrage::conformance::{
+    Behaviour, Case, Evidence, Kernel, Question, Trial, recognise, vectors,
+};
 use std::collections::BTreeSet;
 use wrong::RIGHT;
 
@@ -103,6 +105,27 @@ fn what_shows_now_and_then_is_not_named() {
         let named = codes_of_part(&cases, fault, 0.4);
         assert!(!named.contains(code), "{fault}: {named:?}");
     }
+}
+
+/// How far origins move is seen near zero, however many others are so far off that nothing moves them.
+#[test]
+fn a_constant_is_measured_where_it_shows() {
+    let cases = vectors(Kernel::Offset).expect("valid");
+    let size = |case: &Case| match case.question::<f32>() {
+        Ok(Question::Offset(asked)) => {
+            let sizes = asked.point.to_array().map(f32::abs);
+            sizes.into_iter().fold(0.0, f32::max)
+        }
+        _ => f32::NAN,
+    };
+    let far = cases.iter().filter(|case| size(case) > 1e5);
+    let near = cases.iter().filter(|case| size(case) < 100.0).take(5);
+    let few: Vec<Case> = far.chain(near).cloned().collect();
+    assert!(few.len() > 10, "{}", few.len());
+    let judged = trial::<f32>(&few, "moves-by-a-constant").judged;
+    let named = recognise(&judged);
+    assert_eq!(named.len(), 1, "{named:?}");
+    assert_eq!(named[0].behaviour, Behaviour::OffsetConstant);
 }
 
 /// Each behaviour says something of its own to look for.

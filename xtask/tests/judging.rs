@@ -53,6 +53,23 @@ fn an_answer_fails_beyond_what_is_allowed() {
     }
 }
 
+/// Where an error of a few bounds may change a decision, it is excused by who allows such errors, for
+/// any hit as for the nearest; and by nobody else.
+#[test]
+fn decisions_at_a_margin_are_excused() {
+    let wrong = verdict(Some(Wrong::Decision), 0.0, None);
+    for kernel in [Kernel::RayPlane, Kernel::RaySphere, Kernel::AnyHit] {
+        let cases = vectors(kernel).expect("valid");
+        let (excused, others): (Vec<_>, Vec<_>) = cases
+            .iter()
+            .partition(|case| !case.fails(&wrong, Allowed::Bound(1)));
+        assert!(excused.len() > 9 && others.len() > 9, "{kernel:?}");
+        for case in excused {
+            assert!(case.fails(&wrong, Allowed::Exact), "{}", case.id());
+        }
+    }
+}
+
 /// Each answer counts once, as what it is; the largest error is kept.
 #[test]
 fn verdicts_add_up() {

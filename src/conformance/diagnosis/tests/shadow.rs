@@ -58,7 +58,7 @@ fn displacements_are_found() {
         (0, offset(0.3)),
         (1, shift(0.4, -0.3)),
         (1, shift(-0.2, 0.0)),
-        (1, shift(0.1, 0.1)),
+        (1, shift(0.08, 0.08)),
         (2, light(-2.0, 1.5)),
     ] {
         let picture = picture(&with(ray), size(SIZE.0, SIZE.1));

@@ -119,7 +119,7 @@ fn next<F: Float>(x: F, way: f64) -> F {
 /// A hit at `tmin` does not count, and the far root is tried. It is the rounded t that is compared.
 fn after_start<F: Float>(ray: &Ray<F>, [tmin, tmax]: Ends<F>, surface: &Surface<F>) -> Option<F> {
     unless_at_start(ray, [tmin, tmax], surface)
-        .or_else(|| right(ray, [next(tmin, 1.0), tmax], surface).filter(|t| *t > tmin))
+        .or_else(|| right(ray, [next(tmin, 1.0), tmax], surface))
 }
 
 fn before_end<F: Float>(ray: &Ray<F>, ends: Ends<F>, surface: &Surface<F>) -> Option<F> {
