@@ -107,6 +107,23 @@ fn what_shows_now_and_then_is_not_named() {
     }
 }
 
+/// A sphere that is never hit is wrong in no certain way, however few are to be hit.
+#[test]
+fn what_is_never_hit_has_no_name() {
+    let cases = vectors(Kernel::RaySphere).expect("valid");
+    let is_hit = |case: &&Case| case.truth()["hit"]["closed"] == true;
+    let (hits, misses): (Vec<_>, Vec<_>) = cases.iter().partition(is_hit);
+    let hits = hits.into_iter().step_by(4);
+    let few: Vec<Case> = misses.into_iter().chain(hits).cloned().collect();
+    for judged in [
+        trial::<f32>(&few, "never-hits"),
+        trial::<f64>(&few, "never-hits"),
+    ] {
+        let named = recognise(&judged.judged);
+        assert!(named.is_empty(), "{named:?}");
+    }
+}
+
 /// How far origins move is seen near zero, however many others are so far off that nothing moves them.
 #[test]
 fn a_constant_is_measured_where_it_shows() {
