@@ -5,7 +5,7 @@ mod wrong;
 
 use ombrage::Float;
 use ombrage::conformance::{
-    Behaviour, Case, Evidence, Kernel, Question, Trial, recognise, vectors,
+    Answer, Behaviour, Case, Evidence, Kernel, Question, Trial, recognise, vectors,
 };
 use std::collections::BTreeSet;
 use wrong::RIGHT;
@@ -105,6 +105,61 @@ fn what_shows_now_and_then_is_not_named() {
         let named = codes_of_part(&cases, fault, 0.4);
         assert!(!named.contains(code), "{fault}: {named:?}");
     }
+}
+
+/// What is said of a plane whose hits are these, from the right ones and those of faults.
+fn codes_of_plane(
+    faults: &[&str],
+    hit: impl Fn(Option<f64>, &[Option<f64>]) -> Option<f64>,
+) -> Vec<&'static str> {
+    let cases = vectors(Kernel::RayPlane).expect("valid");
+    let t = |answer: Option<Answer<f64>>| match answer {
+        Some(Answer::Hit(t)) => t,
+        _ => None,
+    };
+    let trial = Trial::of::<f64>(&cases, |question| {
+        let right = t(RIGHT.answer(question).ok());
+        let wrong: Vec<_> = faults
+            .iter()
+            .map(|fault| t(wrong::answer(fault, question)))
+            .collect();
+        Some(Answer::Hit(hit(right, &wrong)))
+    });
+    let named = recognise(&trial.judged);
+    named.iter().map(|of| of.behaviour.code()).collect()
+}
+
+/// Two faults of one kernel are both named.
+#[test]
+fn two_faults_are_named() {
+    let mut named = codes_of_plane(&["culls", "ignores-t-max"], |right, wrong| {
+        let is_culled = right.is_some() && wrong[0].is_none();
+        if is_culled { None } else { wrong[1] }
+    });
+    named.sort_unstable();
+    assert_eq!(named, ["PLANE_CULLED", "T_MAX_IGNORED"]);
+}
+
+/// Answers need not be exact to be known; but others than a behaviour gives do not speak for it.
+#[test]
+fn answers_speak_for_what_gives_them() {
+    for (factor, named) in [(1.0005, vec!["T_MAX_IGNORED"]), (1.5, vec![])] {
+        let of = codes_of_plane(&["ignores-t-max"], |right, wrong| {
+            right.or(wrong[0].map(|t| t * factor))
+        });
+        assert_eq!(of, named, "{factor}");
+    }
+}
+
+/// A constant that is wrong nowhere is not named.
+#[test]
+fn a_constant_may_be_right() {
+    let cases = vectors(Kernel::Offset).expect("valid");
+    let mut judged = trial::<f32>(&cases, "moves-by-a-constant").judged;
+    judged.retain(|judged| judged.verdict.wrong.is_none());
+    assert!(judged.len() > 9);
+    let named = recognise(&judged);
+    assert!(named.is_empty(), "{named:?}");
 }
 
 /// A sphere that is never hit is wrong in no certain way, however few are to be hit.

@@ -162,6 +162,15 @@ fn open_ends<F: Float>() {
     }
 }
 
+/// After 0 come the smallest numbers: a far root as near to it as there are is the next hit.
+fn next_to_zero<F: Float>() {
+    let [.., (_, opens), _, _] = ways::<F>();
+    for speed in [8.0, 1e20, 1e-3 / F::MIN_POSITIVE] {
+        let asked = (3.0, speed, [0.0, 9.0]);
+        answers(opens[0], &sphere::<F>(), &[(asked, Some(4.0 / speed))]);
+    }
+}
+
 fn sides<F: Float>() {
     let [.., (culled, cullers), (missed, missers)] = ways::<F>();
     assert_eq!(
@@ -283,6 +292,8 @@ fn each_way_has_the_answers_told_by_hand() {
     ends::<f64>();
     open_ends::<f32>();
     open_ends::<f64>();
+    next_to_zero::<f32>();
+    next_to_zero::<f64>();
     sides::<f32>();
     sides::<f64>();
     unit_directions::<f32>();
