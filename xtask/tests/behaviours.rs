@@ -129,6 +129,18 @@ fn codes_of_plane(
     named.iter().map(|of| of.behaviour.code()).collect()
 }
 
+/// A fault of every hit shows in each kernel that looks for one.
+#[test]
+fn a_fault_is_named_for_each_kernel() {
+    let cases = cases();
+    let evidence = evidence(&cases, "ignores-t-max");
+    let kernels: BTreeSet<&str> = evidence.iter().map(|of| of.kernel.name()).collect();
+    assert_eq!(
+        kernels,
+        BTreeSet::from(["ray_plane", "ray_sphere", "any_hit"])
+    );
+}
+
 /// Two faults of one kernel are both named.
 #[test]
 fn two_faults_are_named() {
