@@ -76,6 +76,15 @@ pub fn everywhere<W: Scalar>() -> Span<W> {
     }
 }
 
+/// From next to a hit on, if there is one: else everything.
+pub fn from_next_to<W: Scalar>(t: Option<DoubleDouble>, factor: f64) -> Span<W> {
+    let next = |t: DoubleDouble| t + t * DoubleDouble::from_f64(factor - 1.0);
+    Span {
+        min: t.map_or(everywhere().min, |t| W::from_double_double(next(t))),
+        ..everywhere()
+    }
+}
+
 /// A filter that is not in doubt hits where exact arithmetic does, at a parameter that is within a
 /// quarter of a unit in the last place of S.
 pub fn is_right<S: Scalar>(filtered: Filtered<S::Wide>, exact: Option<DoubleDouble>) -> bool {

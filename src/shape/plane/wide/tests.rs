@@ -1,12 +1,11 @@
 //! The filter of the plane, and its exact way.
 
 use super::super::super::wide::tests::{
-    Triple, crossed, everywhere, for_all, is_right, near_one, plus, scaled, vector,
+    Triple, crossed, everywhere, for_all, from_next_to, is_right, near_one, plus, scaled, vector,
 };
 use super::{Question, are_parallel};
 use crate::Plane;
-use crate::ray::Span;
-use crate::real::{DoubleDouble, Scalar};
+use crate::real::Scalar;
 use crate::shape::wide::trust;
 use proptest::prelude::*;
 
@@ -27,21 +26,6 @@ fn question<S: Scalar>(
     }
 }
 
-/// From next to the hit on, if there is one.
-fn beginning_at<W: Scalar>(question: Question<W>, factor: f64) -> Question<W> {
-    let Some(t) = question.exact() else {
-        return question;
-    };
-    let off = t * DoubleDouble::from_f64(factor - 1.0);
-    Question {
-        span: Span {
-            min: W::from_double_double(t + off),
-            ..everywhere()
-        },
-        ..question
-    }
-}
-
 /// A number that may be next to 0.
 fn small() -> impl Strategy<Value = f64> {
     (near_one(50), 0.25..1.0_f64).prop_map(|(factor, size)| (factor - 1.0) * size)
@@ -54,7 +38,8 @@ fn never_wrong<S: Scalar>() {
         let asked = question::<S>(lines, place, length);
         let trusted = trust::<S>();
         prop_assert!(is_right::<S>(asked.filtered(trusted), asked.exact()));
-        let asked = beginning_at(asked, end);
+        let span = from_next_to(asked.exact(), end);
+        let asked = Question { span, ..asked };
         prop_assert!(is_right::<S>(asked.filtered(trusted), asked.exact()));
         Ok(())
     });
@@ -70,7 +55,8 @@ fn decides<S: Scalar>() {
         let found = asked.filtered(trusted);
         prop_assert!(matches!(found, Some(Some(_))));
         prop_assert!(is_right::<S>(found, asked.exact()));
-        let asked = beginning_at(asked, end);
+        let span = from_next_to(asked.exact(), end);
+        let asked = Question { span, ..asked };
         prop_assert!(asked.filtered(trusted).is_some());
         prop_assert!(is_right::<S>(asked.filtered(trusted), asked.exact()));
         Ok(())

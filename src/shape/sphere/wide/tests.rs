@@ -1,11 +1,10 @@
 //! The filter of the sphere, and its exact way.
 
 use super::super::super::wide::tests::{
-    crossed, everywhere, for_all, is_right, near_one, plus, scaled, vector,
+    crossed, everywhere, for_all, from_next_to, is_right, near_one, plus, scaled, vector,
 };
 use super::Question;
-use crate::ray::Span;
-use crate::real::{DoubleDouble, Scalar};
+use crate::real::Scalar;
 use crate::shape::wide::trust;
 use proptest::prelude::*;
 
@@ -31,21 +30,6 @@ fn question<S: Scalar>(
     }
 }
 
-/// Around a root, if there is one.
-fn beginning_at<W: Scalar>(question: Question<W>, factor: f64) -> Question<W> {
-    let Some(t) = question.exact() else {
-        return question;
-    };
-    let off = t * DoubleDouble::from_f64(factor - 1.0);
-    Question {
-        span: Span {
-            min: W::from_double_double(t + off),
-            ..everywhere()
-        },
-        ..question
-    }
-}
-
 /// Small spheres far away, near tangents, origins near the surface, ends near a root.
 fn never_wrong<S: Scalar>() {
     let pass = (near_one(50), prop_oneof![near_one(50), -3.0..3.0_f64]);
@@ -57,7 +41,8 @@ fn never_wrong<S: Scalar>() {
         let asked = question::<S>(lines, (beside, before), sizes);
         let trusted = trust::<S>();
         prop_assert!(is_right::<S>(asked.filtered(trusted), asked.exact()));
-        let asked = beginning_at(asked, end);
+        let span = from_next_to(asked.exact(), end);
+        let asked = Question { span, ..asked };
         prop_assert!(is_right::<S>(asked.filtered(trusted), asked.exact()));
         Ok(())
     });
@@ -94,7 +79,8 @@ fn decides<S: Scalar>() {
         let found = asked.filtered(trusted);
         prop_assert_eq!(found.map(|t| t.is_some()), Some(beside < 1.0));
         prop_assert!(is_right::<S>(found, asked.exact()));
-        let asked = beginning_at(asked, end);
+        let span = from_next_to(asked.exact(), end);
+        let asked = Question { span, ..asked };
         prop_assert!(asked.filtered(trusted).is_some());
         prop_assert!(is_right::<S>(asked.filtered(trusted), asked.exact()));
         Ok(())
