@@ -99,7 +99,7 @@ impl<S: Scalar> PointLight<S> {
             Quality::Stable | Quality::Wide => {
                 let [coarse, fine] = self.halves.map(|half| R::Vector::splat(token, &half));
                 let reciprocal = reciprocal * stretch.reciprocal;
-                fine * (reciprocal / square) * (coarse * reciprocal)
+                fine * reciprocal * (one / square) * (coarse * reciprocal)
             }
         };
         LightSample {

@@ -112,6 +112,13 @@ impl Shot {
             found == expected,
             "bytes of two packets of {name} at {level}"
         );
+        let rows = size.height() / 3..size.height().div_ceil(2);
+        let [start, end] = [rows.start, rows.end].map(|row| (3 * row * size.width()) as usize);
+        assert!(
+            packets.render_rows(chain, size, film, rows).as_flattened()
+                == &found.bytes()[start..end],
+            "some rows of {name} at {level}"
+        );
     }
 }
 
@@ -191,6 +198,7 @@ fn threads_do_not_change_small_pictures() {
         let one = engine(Level::best(), 1).render(&chain, size, film);
         for threads in 1..9 {
             let many = engine(Level::best(), threads);
+            assert_eq!(many.threads(size), threads);
             assert_eq!(many.render(&chain, size, film), one);
             let mut other = Picture::from_fn(size, |x, y| [x as u8, y as u8, 77]);
             many.render_into(&chain, film, &mut other);

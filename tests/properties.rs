@@ -27,6 +27,7 @@ mod properties {
     pub mod plane;
     pub mod proven;
     pub mod ray;
+    pub mod relative;
     pub mod sabotage;
     pub mod scene;
     pub mod sphere;
@@ -85,6 +86,7 @@ properties! {
     }
     in both floats, light {
         attributes_are_within_their_bounds
+        what_is_in_range_is_right_whatever_lies_between
         direction_has_unit_length
         radiance_falls_with_the_square_of_the_distance
         radiance_grows_with_the_power
@@ -183,6 +185,11 @@ properties! {
     once, chains {
         both_draw_the_same_pictures
         surveys_tell_what_pixels_show
+    }
+    once, relative {
+        a_surface_through_the_camera_parts_what_it_sees
+        a_light_in_a_plane_lights_neither_side
+        a_far_sphere_near_its_light_keeps_its_shading
     }
     once, picture {
         pictures_are_refused_by_field_and_value
