@@ -85,6 +85,7 @@ for_both_floats! {
     figure_3c_is_the_accepted_picture
     sphere_shows_on_15644_pixels_and_plane_on_111720
     plane_is_in_the_shadow_on_7587_pixels_of_3c
+    lit_pixels_of_3c_are_those_that_are_not_black
     bytes_wrap_on_335_pixels_of_2a
     radiance_passes_1_on_344_sphere_pixels
     largest_level_is_296
@@ -169,20 +170,35 @@ fn bytes_wrap_on_335_pixels_of_2a<F: Float>() {
     );
 }
 
-fn radiance_passes_1_on_344_sphere_pixels<F: Float>() {
+/// The radiance of every pixel of a figure.
+fn radiance<F: Float>(name: &str) -> impl Iterator<Item = [f64; 3]> {
     let scene = lab::scene::<F>().expect("the lab's scene is valid");
     let aspect = F::from_f64(Size::LAB.aspect());
     let camera = ombrage::PerspectiveCamera::new(&lab::view::<F>(), aspect);
-    let camera = camera.expect("the lab's view is valid");
-    let (mut sphere, mut other) = (0, 0);
-    let integrator = figure("2b").integrator;
     let chain = LabChain {
         scene: &scene,
-        camera: &camera,
-        integrator,
+        camera: &camera.expect("the lab's view is valid"),
+        integrator: figure(name).integrator,
     };
-    for radiance in render_radiance(&chain, Size::LAB) {
-        let [red, green, blue] = radiance.to_array().map(Scalar::to_f64);
+    let pixels = render_radiance(&chain, Size::LAB).into_iter();
+    pixels.map(|radiance| radiance.to_array().map(Scalar::to_f64))
+}
+
+/// Where no shadow ray errs, what is lit is what sends light back.
+fn lit_pixels_of_3c_are_those_that_are_not_black<F: Float>() {
+    let survey = survey::<F>("3c");
+    let mut lit = [0; 2];
+    for (pixel, radiance) in survey.pixels().iter().zip(radiance::<F>("3c")) {
+        let shines = pixel.object.is_some() && radiance != [0.0; 3];
+        lit[usize::from(pixel.on_sphere)] += usize::from(shines);
+    }
+    let counts = survey.counts();
+    assert_eq!([counts.lit_plane, counts.lit_sphere], lit);
+}
+
+fn radiance_passes_1_on_344_sphere_pixels<F: Float>() {
+    let (mut sphere, mut other) = (0, 0);
+    for [red, green, blue] in radiance::<F>("2b") {
         sphere += usize::from(blue > 1.0);
         other += usize::from(red > 1.0 || green > 1.0);
     }

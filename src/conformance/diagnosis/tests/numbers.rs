@@ -1,8 +1,9 @@
 //! Numbers that are found by trying.
 
-use super::{is_near, picture, right, size, turned, whole};
+use super::{Coarse, is_near, lossy, picture, right, size, turned, whole};
 use crate::conformance::diagnosis::Code;
-use crate::conformance::diagnosis::color::without_traces;
+use crate::conformance::diagnosis::best::Best;
+use crate::conformance::diagnosis::color::{self, without_traces};
 use crate::conformance::diagnosis::evidence::Evidence;
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
 use crate::conformance::diagnosis::recipe::{Recipe, Rounding, Sampling, ShadowRay};
@@ -51,6 +52,32 @@ fn fields_of_view_are_found() {
         let found = refine(&guess, &colored);
         is_near(found.viewpoint.fov, fov, 0.1);
         are_near(found.colors[1], color);
+    }
+}
+
+/// No small step of a component brings a colour nearer that was found, through a loss or without one.
+#[test]
+fn a_colour_that_was_found_is_the_nearest() {
+    let losses: [&dyn Loss; 3] = [&Lossless, &Coarse(3), &Coarse(8)];
+    for (index, color) in [(0, [0.33, 0.12, 0.61]), (1, [0.52, 0.27, 0.08])] {
+        for loss in losses {
+            let of = turned(&right("3c"), |r| r.colors[index] = color);
+            let of = lossy(&drawn(&of), loss);
+            let evidence = whole(&of, loss);
+            let mut best = Best::of(&evidence, right("3c")).expect("a viewpoint");
+            color::refine(&mut best, index).expect("viewpoints");
+            for step in [0.01, -0.01, 0.002, -0.002] {
+                for component in 0..3 {
+                    let moved = turned(&best.recipe, |r| r.colors[index][component] += step);
+                    let error = evidence.error(&moved).expect("a viewpoint");
+                    assert!(
+                        error >= best.error,
+                        "{color:?} {component} {step}: {error}, not {}",
+                        best.error
+                    );
+                }
+            }
+        }
     }
 }
 

@@ -148,6 +148,77 @@ fn a_displacement_must_show() {
     assert!(times[0] > 2 && times[1] > 2, "{times:?}");
 }
 
+/// What a displacement does not explain is no gain, however much of it there is.
+#[test]
+fn other_errors_are_no_gain() {
+    let right = right("3c");
+    let mut times = 0;
+    for width in 36..60 {
+        let size = size(width, 64);
+        let drawn = picture(&right, size);
+        let drawn = whole(&drawn, &Lossless).drawn(&right).expect("a viewpoint");
+        // Three pixels beside the shadow are of no colour that there is.
+        let of_plane = drawn
+            .iter()
+            .enumerate()
+            .filter(|(_, pixel)| pixel.object == Object::Plane);
+        let plane: Vec<usize> = of_plane.map(|(at, _)| at).collect();
+        let ends = plane
+            .windows(2)
+            .filter(|pair| drawn[pair[0]].is_lit && !drawn[pair[1]].is_lit);
+        let beside: Vec<usize> = ends.map(|pair| pair[0]).take(3).collect();
+        let ray = offset(0.02);
+        let moved = changed(&picture(&with(ray), size), |at, rgb| {
+            if beside.contains(&at) {
+                [rgb[0], 60, 0]
+            } else {
+                rgb
+            }
+        });
+        let evidence = whole(&moved, &Lossless);
+        let error =
+            |recipe: &Recipe| evidence.error(recipe).expect("a viewpoint") * size.pixels() as f64;
+        let rest = error(&with(ray));
+        let gain = error(&right) - rest;
+        let is_worth = is_worth_a_walk(&evidence, right).expect("viewpoints");
+        if is_worth && gain > 0.3 * rest && gain < 0.9 * least_gain(size) {
+            assert_eq!(found(&moved), right, "{width}");
+            times += 1;
+        }
+    }
+    assert!(times > 4, "{times}");
+}
+
+/// A displacement must explain a fifth of what is wrong around the shadow.
+#[test]
+fn a_displacement_explains_a_fifth() {
+    let (right, size) = (right("3c"), size(SIZE.0, SIZE.1));
+    let exact = picture(&right, size);
+    let drawn = whole(&exact, &Lossless).drawn(&right).expect("a viewpoint");
+    let in_shadow = |at: usize| drawn[at].object == Object::Plane && !drawn[at].is_lit;
+    let shadow: Vec<usize> = (0..drawn.len()).filter(|&at| in_shadow(at)).collect();
+    for ray in [offset(0.15), offset(0.2)] {
+        let moved = picture(&with(ray), size);
+        let mut believed = [0; 2];
+        for count in (0..90).step_by(6) {
+            // Some pixels of the shadow are green.
+            let green = &shadow[shadow.len() - count..];
+            let seen = changed(
+                &moved,
+                |at, rgb| if green.contains(&at) { [0, 60, 0] } else { rgb },
+            );
+            let evidence = whole(&seen, &Lossless);
+            let error = |recipe: &Recipe| evidence.error(recipe).expect("a viewpoint");
+            let explained = 1.0 - error(&with(ray)) / error(&right);
+            if (explained - 0.2).abs() > 0.02 {
+                assert_eq!(found(&seen) != right, explained > 0.2, "{explained}");
+                believed[usize::from(explained > 0.2)] += 1;
+            }
+        }
+        assert!(believed.iter().all(|&times| times > 1), "{believed:?}");
+    }
+}
+
 /// Offsets of less than a hundredth are what they are for: nobody sees them.
 #[test]
 fn small_offsets_are_right() {

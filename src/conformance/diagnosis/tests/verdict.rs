@@ -7,7 +7,7 @@ use crate::conformance::diagnosis::clauses::with;
 use crate::conformance::diagnosis::evidence::distance;
 use crate::conformance::diagnosis::finding::Estimate;
 use crate::conformance::diagnosis::loss::{Loss, Lossless};
-use crate::conformance::diagnosis::recipe::{Recipe, ShadowRay};
+use crate::conformance::diagnosis::recipe::{Recipe, Rounding, ShadowRay};
 use crate::conformance::diagnosis::search::search;
 use crate::conformance::diagnosis::verdict::{is_better, with_t_max};
 use crate::conformance::diagnosis::{Code, Margin, Sampling, Verdict};
@@ -160,6 +160,10 @@ fn the_largest_parameter_is_told_where_it_shows() {
                 assert_eq!(shows, is_shown);
                 assert_eq!(found, if is_shown { drawn } else { start });
             }
+            // Neither is a fault, so neither runs up to the other.
+            let diagnosis = judged(&picture, "1");
+            assert_eq!(diagnosis.verdict, Verdict::Conforms);
+            assert!(!diagnosis.margin.runner_up.is_empty());
         }
     }
 }
@@ -258,13 +262,20 @@ fn margins() {
             .filter(|other| other.name() == name);
         assert_eq!(same.count(), 1);
     }
-    // A right picture is further from every fault than from itself.
-    let diagnosis = judged(&picture(&right("3c"), size(96, 64)), "3c");
-    assert_eq!(
-        (diagnosis.verdict, diagnosis.margin.error),
-        (Verdict::Conforms, 0.0)
-    );
-    assert!(!diagnosis.margin.runner_up.is_empty() && diagnosis.margin.share() > 0.9);
+    // A right picture is further from every fault than from itself, in whatever convention.
+    for sampling in [Sampling::Corner, Sampling::Center, Sampling::Average] {
+        for rounding in [Rounding::Truncate, Rounding::Nearest] {
+            let right = turned(&right("3c"), |r| {
+                (r.viewpoint.sampling, r.rounding) = (sampling, rounding)
+            });
+            let diagnosis = judged(&picture(&right, size(96, 64)), "3c");
+            assert_eq!(
+                (diagnosis.verdict, diagnosis.margin.error),
+                (Verdict::Conforms, 0.0)
+            );
+            assert!(!diagnosis.margin.runner_up.is_empty() && diagnosis.margin.share() > 0.8);
+        }
+    }
 }
 
 /// Of several losses it is the one that a picture had.
@@ -338,4 +349,24 @@ fn displaced_shadows() {
     let none = turned(&expected, |r| r.viewpoint.has_plane = false);
     let diagnosis = judged(&picture(&none, size(96, 64)), "3c");
     assert_eq!(codes(&diagnosis), [Code::PlaneMissing]);
+}
+
+/// What runs up to an explanation lacks one of its faults: one more of them would explain no less.
+#[test]
+fn a_runner_up_lacks_a_fault() {
+    for figure in ["2a", "3c"] {
+        let expected = right(figure);
+        for code in Code::ALL {
+            let Some(faulty) = with(&expected, code) else {
+                continue;
+            };
+            let diagnosis = judged(&picture(&faulty, size(96, 64)), figure);
+            let found = codes(&diagnosis);
+            let lacks = |code: &Code| !diagnosis.margin.runner_up.contains(code);
+            assert!(
+                found.is_empty() || found.iter().any(lacks),
+                "{figure} {code:?}"
+            );
+        }
+    }
 }
