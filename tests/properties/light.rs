@@ -100,7 +100,7 @@ fn anywhere<F: Sample>() -> impl Strategy<Value = (PointLight<F>, F::Vector)> {
             .then_some((apart, color, power))
     });
     parts.prop_flat_map(|(apart, color, power)| {
-        let color = vector::<F>(color..color + 1).prop_map(|color| color.abs());
+        let color = vector::<F>(color..color + 1).prop_map(Vector::abs);
         let place = vector::<F>(apart..apart + 2);
         let parts = (place.clone(), color, positive::<F>(power..power + 1), place);
         parts.prop_filter_map("a light", |(at, color, power, point)| {
