@@ -266,7 +266,7 @@ fn margins() {
     for sampling in [Sampling::Corner, Sampling::Center, Sampling::Average] {
         for rounding in [Rounding::Truncate, Rounding::Nearest] {
             let right = turned(&right("3c"), |r| {
-                (r.viewpoint.sampling, r.rounding) = (sampling, rounding)
+                (r.viewpoint.sampling, r.rounding) = (sampling, rounding);
             });
             let diagnosis = judged(&picture(&right, size(96, 64)), "3c");
             assert_eq!(
