@@ -138,7 +138,7 @@ pub fn a_far_sphere_near_its_light_keeps_its_shading() {
         let vector = [number(), number(), number()].prop_map(DVec3::from);
         vector.prop_filter_map("a direction", DVec3::try_normalize)
     };
-    let inputs = (unit(), unit(), -4..8i32, 6..14i32, 1.5..3.0f64);
+    let inputs = (unit(), unit(), -12..8i32, 6..14i32, 1.5..3.0f64);
     for_all(inputs, |(forward, to_light, scale, distance, height)| {
         let radius = f64::from(scale).exp2();
         let ratio = f64::from(distance).exp2();
