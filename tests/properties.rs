@@ -201,6 +201,7 @@ properties! {
     once, names {
         shadows_are_read_from_their_names
         qualities_are_read_from_their_names
+        rungs_have_their_names
         sizes_that_are_judged
     }
 }

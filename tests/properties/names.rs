@@ -2,7 +2,7 @@
 
 use crate::property::for_all;
 use ombrage::conformance::diagnosis::check_size;
-use ombrage::{Quality, Shadow, Size};
+use ombrage::{Quality, Rung, Shadow, Size};
 use proptest::prelude::*;
 
 /// A strategy is read from its name, with any length that it may have, and from no other text.
@@ -42,6 +42,14 @@ pub fn qualities_are_read_from_their_names() {
     }
     for name in ["", "Stable", "best"] {
         assert_eq!(Quality::named(name), None, "{name}");
+    }
+}
+
+/// Tables name a rung as the code does.
+pub fn rungs_have_their_names() {
+    for rung in Rung::ALL {
+        let variant = format!("{rung:?}").to_lowercase();
+        assert_eq!(rung.name().replace('_', ""), variant);
     }
 }
 
