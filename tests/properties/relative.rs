@@ -20,6 +20,15 @@ fn point() -> impl Strategy<Value = DVec3> + Clone {
     [-256..256i32, -256..256, -256..256].prop_map(|p| DVec3::from(p.map(f64::from)) / 64.0)
 }
 
+fn view(position: DVec3, look_at: DVec3, fov: f64) -> View<f64> {
+    View {
+        position,
+        look_at,
+        up: DVec3::new(0.3, 1.0, 0.2),
+        fov,
+    }
+}
+
 /// The radiance of every pixel with its direction, row by row.
 fn pixels<S: Scalar>(
     scene: &Scene<f64>,
@@ -71,14 +80,10 @@ pub fn a_surface_through_the_camera_parts_what_it_sees() {
         let around = valid(Sphere::new(DVec3::splat(0.1), 16.0))?;
         let scene = valid(scene.with_sphere(around, DVec3::ONE))?;
         let scene = scene.with_light(valid(PointLight::new(light, DVec3::ONE, 100.0))?);
-        let view = |side: f64| View {
-            position: camera + normal.normalize() * (side * 1e-12),
-            look_at,
-            up: DVec3::new(0.3, 1.0, 0.2),
-            fov: 90.0,
-        };
-        let [inner, on, outer] =
-            [-1.0, 0.0, 1.0].map(|side| pixels::<f64>(&scene, &view(side), size));
+        let [inner, on, outer] = [-1e-12, 0.0, 1e-12].map(|by| {
+            let position = camera + normal.normalize() * by;
+            pixels::<f64>(&scene, &view(position, look_at, 90.0), size)
+        });
         for ((inner, on), outer) in inner?.iter().zip(on?).zip(outer?) {
             let (direction, radiance) = on;
             let slope = direction.normalize().dot(normal.normalize());
@@ -113,12 +118,7 @@ pub fn a_light_in_a_plane_lights_neither_side() {
             let plane = valid(Plane::new(on_plane, normal))?;
             let scene = valid(scene.with_plane(plane, DVec3::ONE))?;
             let scene = scene.with_light(valid(PointLight::new(light, DVec3::ONE, 1e9))?);
-            let view = View {
-                position: camera,
-                look_at: on_plane,
-                up: DVec3::new(0.3, 1.0, 0.2),
-                fov: 90.0,
-            };
+            let view = view(camera, on_plane, 90.0);
             for (direction, radiance) in pixels::<f64>(&scene, &view, size)? {
                 prop_assert_eq!(radiance, DVec3::ZERO, "along {}", direction);
             }
@@ -157,12 +157,9 @@ pub fn a_far_sphere_near_its_light_keeps_its_shading() {
             radius * radius,
         );
         let scene = scene.with_light(valid(light)?);
-        let view = View {
-            position: DVec3::ZERO,
-            look_at: center,
-            up: DVec3::new(0.3, 1.0, 0.2),
-            fov: (0.5 / ratio).atan().to_degrees() * 2.0,
-        };
+        // As wide as half of the sphere.
+        let fov = (0.5 / ratio).atan().to_degrees() * 2.0;
+        let view = view(DVec3::ZERO, center, fov);
         let [narrow, wide] = [
             pixels::<f32>(&scene, &view, size)?,
             pixels::<f64>(&scene, &view, size)?,
