@@ -12,6 +12,10 @@ use std::cmp::Reverse;
 /// How a crate asks a switch.
 const IS_ON: &str = "crate::mutant_switch::is_on";
 
+/// Functions with switches are compiled once, not once a caller, which would be too much. Both are of one
+/// length, since places are counted in bytes.
+const INLINED: [&str; 2] = ["#[inline(always)]", "#[inline( never)]"];
+
 /// A file with switches, and where they are in it.
 #[derive(Debug)]
 pub struct Switched {
@@ -37,6 +41,7 @@ struct Site {
 /// # Errors
 /// If the text is no Rust.
 pub fn rewrite(text: &str, mutants: &[Mutant], numbers: &[usize]) -> syn::Result<Switched> {
+    let text = &text.replace(INLINED[0], INLINED[1]);
     let lines = Lines::new(text);
     let found = Sites::of(&syn::parse_file(text)?, &lines);
     let mut sites: Vec<Site> = vec![];

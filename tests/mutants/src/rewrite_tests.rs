@@ -157,6 +157,14 @@ fn bodies_and_what_is_in_them() {
 }
 
 #[test]
+fn functions_with_switches_are_compiled_once() {
+    let text = "#[inline(always)]\nfn f(a: i32) -> i32 { a + 1 }\n";
+    let plus = mutant(text, Genre::BinaryOperator, "+", 0, "-");
+    let made = switched(text, &[plus]);
+    assert!(!made.text.contains("always"), "{}", made.text);
+}
+
+#[test]
 fn what_can_have_no_switch() {
     let text = [
         "const A: i32 = 1 + 2;",
