@@ -36,8 +36,8 @@ macro_rules! float {
             }
 
             #[inline(always)]
-            fn mask((): (), value: bool) -> bool {
-                value
+            fn never((): ()) -> bool {
+                false
             }
 
             #[inline(always)]

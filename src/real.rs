@@ -70,8 +70,8 @@ pub trait Real:
     fn token(self) -> Self::Token;
     /// The same value in every lane.
     fn splat(token: Self::Token, value: Self::Scalar) -> Self;
-    /// The same answer in every lane.
-    fn mask(token: Self::Token, value: bool) -> Self::Mask;
+    /// False in every lane.
+    fn never(token: Self::Token) -> Self::Mask;
     /// Square root, correctly rounded. NaN below zero.
     fn sqrt(self) -> Self;
     /// The integer part, rounded toward zero.

@@ -119,7 +119,7 @@ impl<R: Real> Search<R> {
     fn new(any: R) -> Self {
         Self {
             nearest: Meeting {
-                mask: R::mask(any.token(), false),
+                mask: R::never(any.token()),
                 t: any,
                 slope: any,
                 number: any,

@@ -185,7 +185,7 @@ impl<S: Scalar> Scene<S> {
         quality: Quality,
         skip: Option<R>,
     ) -> R::Mask {
-        let mut hit = R::mask(span.max.token(), false);
+        let mut hit = R::never(span.max.token());
         for (number, sphere) in (0..).zip(&self.spheres) {
             hit = hit | other(sphere.shape.intersect_any(ray, span, quality), skip, number);
             if !(!hit).any() {
@@ -246,7 +246,7 @@ impl<R: Real<Scalar: Scalar>> HitRecord<R> {
     fn none(ray: &Ray<R>) -> Self {
         let zero = ray.origin.x().constant(0.0);
         Self {
-            mask: R::mask(zero.token(), false),
+            mask: R::never(zero.token()),
             point: ray.origin,
             normal: ray.direction,
             distance: zero,

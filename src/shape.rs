@@ -27,7 +27,7 @@ impl<R: Real> Hit<R> {
     #[inline(always)]
     fn none(token: R::Token) -> Self {
         Self {
-            mask: R::mask(token, false),
+            mask: R::never(token),
             t: R::splat(token, Constant::from_f64(f64::NAN)),
         }
     }

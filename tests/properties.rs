@@ -164,7 +164,9 @@ properties! {
         sums_are_within_2_to_the_minus_104
         differences_of_neighbours_are_within_2_to_the_minus_104
         products_are_within_2_to_the_minus_102
-        quotients_are_within_2_to_the_minus_102
+        quotients_are_within_2_to_the_minus_103
+        scaled_numbers_are_exact
+        nothing_is_wider
         roots_are_within_2_to_the_minus_101
         trunc_is_the_integer_part
         comparisons_are_exact

@@ -9,7 +9,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// The unevaluated sum of two `f64` of which the second is at most half a unit in the last place of
 /// the first: about 106 bits.
 ///
-/// Sums are accurate to 2^-104 relative to the result, products and quotients to 2^-102, square
+/// Sums are accurate to 2^-104 relative to the result, products to 2^-102, quotients to 2^-103, square
 /// roots to 2^-101, as long as nothing overflows and no error term falls below the smallest normal
 /// number (magnitudes between 1e-140 and 1e140 are safe throughout a kernel). Source: Joldeş,
 /// Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
@@ -200,8 +200,8 @@ impl Real for DoubleDouble {
     }
 
     #[inline(always)]
-    fn mask((): (), value: bool) -> bool {
-        value
+    fn never((): ()) -> bool {
+        false
     }
 
     #[inline(always)]

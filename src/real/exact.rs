@@ -217,8 +217,8 @@ impl Real for Exact {
         value
     }
 
-    fn mask((): (), value: bool) -> Kleene<bool> {
-        Bounded::<DoubleDouble>::mask((), value)
+    fn never((): ()) -> Kleene<bool> {
+        Bounded::<DoubleDouble>::never(())
     }
 
     fn sqrt(self) -> Self {
@@ -277,7 +277,7 @@ impl Constant for Exact {
 
 impl Precise for Exact {
     fn near(self) -> f64 {
-        self.bounded().value.high()
+        self.bounded().near()
     }
 
     /// Exact for the angles whose tangents square roots can give; a double-double for others.
@@ -338,6 +338,16 @@ mod tests {
             );
         }
         assert!(!tangent(77.0).is(tangent(77.0) + float(0.0)).decided());
+    }
+
+    #[test]
+    fn nothing_of_what_is_unknown_is_nothing() {
+        let unknown = Exact::half_tangent(77.0);
+        let zero = root(2.0) * root(3.0) - root(6.0);
+        assert!(are_same(zero * unknown, float(0.0)));
+        assert!(are_same(unknown * zero, float(0.0)));
+        let product = unknown * root(2.0);
+        assert!(!product.is(product + float(0.0)).decided());
     }
 
     #[test]

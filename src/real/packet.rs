@@ -91,8 +91,8 @@ impl<L: Simd, E: Lane> Real for Packet<L, E> {
     }
 
     #[inline(always)]
-    fn mask(token: L, value: bool) -> Self::Mask {
-        PacketMask(SimdMask::splat(token, value))
+    fn never(token: L) -> Self::Mask {
+        PacketMask(SimdMask::splat(token, false))
     }
 
     #[inline(always)]

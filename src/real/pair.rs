@@ -48,8 +48,8 @@ impl<R: Real> Real for Pair<R> {
     }
 
     #[inline(always)]
-    fn mask(token: R::Token, value: bool) -> Self::Mask {
-        Pair(R::mask(token, value), R::mask(token, value))
+    fn never(token: R::Token) -> Self::Mask {
+        Pair(R::never(token), R::never(token))
     }
 
     #[inline(always)]

@@ -114,7 +114,7 @@ impl<S: Constant> Light<S> {
         square: R,
     ) -> R::Mask {
         let token = square.token();
-        let mut blocked = R::mask(token, false);
+        let mut blocked = R::never(token);
         for &edge in &self.edges {
             let beyond = R::Vector::splat(token, &edge).dot(direction);
             blocked = blocked | beyond.gt(beyond.constant(0.0));

@@ -382,6 +382,17 @@ pub fn half_tangents_are_within_their_bounds() {
         );
         assert!(tangent.error.high() < 1e-29, "{tangent:?}");
     }
+    // The quotients that make the angle and the tangent may be off; the angle by the tangent's slope.
+    for degrees in [1.0, 30.0, 60.0, 90.0] {
+        let Bounded { value, error, .. } = Bounded::<DoubleDouble>::half_tangent(degrees);
+        let (tangent, angle) = (value.high(), (degrees / 2.0).to_radians());
+        let slope = 1.0 + tangent * tangent;
+        let least = (angle * slope + tangent) * DoubleDouble::QUOTIENT;
+        assert!(
+            error.high() > least,
+            "{degrees} degrees: {error:?} of {least}"
+        );
+    }
     for degrees in [0.0625, 1.0, 33.25, 89.0] {
         let tangent = |degrees| Bounded::<DoubleDouble>::half_tangent(degrees);
         let product = tangent(degrees) * tangent(180.0 - degrees);

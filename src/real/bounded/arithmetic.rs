@@ -185,11 +185,11 @@ impl<B: Real<Scalar: Rounded>, P: Proof> Real for Bounded<B, P> {
     }
 
     #[inline(always)]
-    fn mask(token: B::Token, value: bool) -> Self::Mask {
-        let mask = B::mask(token, value);
+    fn never(token: B::Token) -> Self::Mask {
+        let never = B::never(token);
         Kleene {
-            certain: mask,
-            possible: mask,
+            certain: never,
+            possible: never,
         }
     }
 

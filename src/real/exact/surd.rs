@@ -189,6 +189,28 @@ mod tests {
         assert_eq!(floors, 4);
     }
 
+    /// Whether all parts of a number are further down in the tower.
+    fn is_in_order(x: &Shared) -> bool {
+        match &**x {
+            Surd::Rational(..) => true,
+            Surd::Root(_, a, b, d) => [a, b, d]
+                .into_iter()
+                .all(|part| height(part) < height(x) && is_in_order(part)),
+        }
+    }
+
+    #[test]
+    fn parts_are_further_down() {
+        let mut floors = 0;
+        let [two, three] = [2.0, 3.0].map(|x| root_of(x, &mut floors));
+        assert_eq!([height(&two), height(&three)], [1, 2]);
+        for (x, y) in [(&two, &three), (&three, &two)] {
+            let (sum, product) = (add(x, y), multiply(x, y));
+            assert!([&sum, &product].into_iter().all(is_in_order));
+            assert_eq!([height(&sum), height(&product)], [2, 2]);
+        }
+    }
+
     #[test]
     fn roots_of_rational_squares_are_rational() {
         let mut floors = 0;

@@ -119,7 +119,7 @@ impl<S: Scalar> Hierarchical<S> {
     fn nearest<R: Real<Scalar = S>>(&self, ray: &Ray<R>, span: &Span<R>) -> HitRecord<R> {
         let zero = span.min.constant(0.0);
         let mut nearest = HitRecord {
-            mask: R::mask(zero.token(), false),
+            mask: R::never(zero.token()),
             point: ray.origin,
             normal: ray.direction,
             distance: zero,
@@ -146,7 +146,7 @@ impl<S: Scalar> Hierarchical<S> {
     #[inline(always)]
     fn any<R: Real<Scalar = S>>(&self, asked: R::Mask, shadow: &ShadowRay<R>) -> R::Mask {
         let ShadowRay { ray, span, .. } = shadow;
-        let mut hit = R::mask(span.max.token(), false);
+        let mut hit = R::never(span.max.token());
         for plane in self.scene.planes() {
             hit = hit | plane.shape.intersect_any(ray, span, QUALITY);
         }
