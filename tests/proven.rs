@@ -170,6 +170,34 @@ fn ties_of_other_angles() -> Result<(), Invalid> {
     Ok(())
 }
 
+/// From its middle, all of a sphere is hit at a right angle: by the eye's light every byte is at its border.
+/// The tangent of an angle that is no simple number is known by its bounds alone, which do not tell.
+#[test]
+fn what_nothing_decides_is_named() -> Result<(), Invalid> {
+    let sphere = Sphere::new(DVec3::ZERO, 2.0)?;
+    let scene = Scene::new(DVec3::ZERO, f64::INFINITY)?.with_sphere(sphere, DVec3::ONE)?;
+    let view = View {
+        position: DVec3::ZERO,
+        look_at: DVec3::Z,
+        up: DVec3::Y,
+        fov: 77.0,
+    };
+    let proven = render_proven(&scene, &view, size(3, 1), Lighting::Eye, Film::Clamp)?;
+    let places: Vec<(u32, u32)> = proven
+        .undecided()
+        .iter()
+        .map(|pixel| (pixel.column, pixel.row))
+        .collect();
+    assert_eq!(places, [(0, 0), (2, 0)]);
+    assert_eq!(
+        proven.rungs(),
+        [Rung::Undecided, Rung::Exact, Rung::Undecided]
+    );
+    assert_eq!(proven.picture().pixel(0, 0), Some([0; 3]));
+    assert_eq!(proven.picture().pixel(1, 0), Some([255; 3]));
+    Ok(())
+}
+
 #[test]
 fn every_engine_gives_the_same_proof() {
     let (scene, view) = (lab::scene().expect("valid"), lab::view());

@@ -58,7 +58,6 @@ impl<S: Rounded, P: Proof> Prover<S, P> {
         let direction = self.chain.across::<Bounded<S, P>>(across) + self.chain.down(down);
         let (levels, proven) = match self.chain.reflected::<Bounded<S, P>>(direction) {
             None => return Some(self.background),
-            Some((hit, _)) if !hit.possible => return Some(self.background),
             Some((hit, reflected)) => develop(self.film, hit.certain, reflected),
         };
         proven.then(|| levels.map(|level| level.to_f64() as u8))

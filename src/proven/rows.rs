@@ -30,8 +30,7 @@ impl Job<f32> for Rows<'_> {
         for start in (0..width).step_by(R::LANES) {
             let (mut values, mut errors) = ([0.0; 32], [0.0; 32]);
             for lane in 0..R::LANES {
-                let column = (start + lane).min(width - 1) as u32;
-                let place = coordinate::<Number<f32>>(column, self.size.width());
+                let place = coordinate::<Number<f32>>((start + lane) as u32, self.size.width());
                 (values[lane], errors[lane]) = (place.value, place.error);
             }
             let place = Bounded::new(R::load(token, &values), R::load(token, &errors));
