@@ -58,8 +58,8 @@ impl<F: Float> Real for Counted<F> {
         Counted(value)
     }
 
-    fn mask((): (), value: bool) -> bool {
-        value
+    fn never((): ()) -> bool {
+        false
     }
 
     fn sqrt(self) -> Self {

@@ -117,8 +117,8 @@ impl<S: Scalar, const N: usize> Real for Counted<S, N> {
         Self([value; N])
     }
 
-    fn mask((): (), value: bool) -> CountedMask<N> {
-        CountedMask([value; N])
+    fn never((): ()) -> CountedMask<N> {
+        CountedMask([false; N])
     }
 
     fn sqrt(self) -> Self {
