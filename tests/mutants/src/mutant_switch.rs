@@ -6,7 +6,7 @@
 use std::env;
 use std::fs::OpenOptions;
 use std::io::Write;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering::Relaxed};
+use std::sync::atomic::{AtomicU8, Ordering::Relaxed};
 
 /// The variable with the number of the mutant that is on.
 pub const ON: &str = "MUTANT_ON";
@@ -18,48 +18,35 @@ pub const REACHED: &str = "MUTANTS_REACHED";
 /// How many mutants one program can have.
 pub const MOST: usize = 1 << 14;
 
-const UNREAD: u32 = u32::MAX;
-const RECORDING: u32 = u32::MAX - 1;
-const NONE: u32 = u32::MAX - 2;
+const UNASKED: u8 = 0;
+const IS_OFF: u8 = 1;
+const IS_ON: u8 = 2;
 
-static STATE: AtomicU32 = AtomicU32::new(UNREAD);
-static SEEN: [AtomicBool; MOST] = [const { AtomicBool::new(false) }; MOST];
+static STATES: [AtomicU8; MOST] = [const { AtomicU8::new(UNASKED) }; MOST];
 
 /// Whether this mutant is on. A load and a comparison, because kernels ask it in their innermost loops.
 #[inline(always)]
 pub fn is_on(mutant: u32) -> bool {
-    let state = STATE.load(Relaxed);
-    if state < RECORDING {
-        state == mutant
-    } else {
-        first(mutant)
+    match STATES[mutant as usize].load(Relaxed) {
+        IS_OFF => false,
+        IS_ON => true,
+        _ => first(mutant),
     }
 }
 
-/// The answer where the environment is not read yet, or reached mutants are recorded.
+/// The answer where it is asked for the first time: the mutant is reached.
 #[cold]
 #[inline(never)]
 fn first(mutant: u32) -> bool {
-    if STATE.load(Relaxed) == UNREAD {
-        let on = env::var(ON).ok().and_then(|number| number.parse().ok());
-        let idle = if env::var_os(REACHED).is_some() {
-            RECORDING
-        } else {
-            NONE
-        };
-        STATE.store(on.unwrap_or(idle), Relaxed);
-        return is_on(mutant);
-    }
-    if let Some(seen) = SEEN.get(mutant as usize)
-        && !seen.load(Relaxed)
-        && !seen.swap(true, Relaxed)
-    {
+    let is_on = env::var(ON).is_ok_and(|number| number.parse() == Ok(mutant));
+    let state = if is_on { IS_ON } else { IS_OFF };
+    if STATES[mutant as usize].swap(state, Relaxed) == UNASKED {
         record(mutant);
     }
-    false
+    is_on
 }
 
-/// Adds a number to the file. A test must not fail because it cannot be written: what is not recorded
+/// Adds a number to the file, if there is one. A test must not fail because it cannot be written: what is not recorded
 /// counts as not reached, and is reported as not noticed.
 fn record(mutant: u32) {
     if let Some(path) = env::var_os(REACHED)

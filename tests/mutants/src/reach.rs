@@ -12,9 +12,6 @@ use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// How long a test may run while what it reaches is recorded. Later it seldom reaches anything new.
-const RECORDING: f64 = 20.0;
-
 /// A test that passes without a mutant.
 #[derive(Debug)]
 pub struct Judge {
@@ -77,19 +74,14 @@ pub fn record(
     Ok(judges(tests, &rows.collect()))
 }
 
-/// Runs a test twice: to record what it reaches, and, if that is anything, as it is.
+/// Runs a test and records what it reaches.
 fn row(test: &Test, tree: &Path, digest: &str, file: &Path, limit: f64) -> Result<Row> {
     let failed = |error| Error::at(file, &error);
     fs::write(file, []).map_err(failed)?;
-    run(test, tree, Some((REACHED, file.as_os_str())), RECORDING)?;
+    let (end, seconds) = run(test, tree, Some((REACHED, file.as_os_str())), limit)?;
     let bytes = fs::read(file).map_err(failed)?;
     let numbers = bytes.as_chunks::<4>().0.iter();
     let numbers = numbers.map(|bytes| u32::from_le_bytes(*bytes) as usize);
-    let reached: BTreeSet<usize> = numbers.collect();
-    let (end, seconds) = match reached.is_empty() {
-        true => (End::Passed, 0.0),
-        false => run(test, tree, None, limit)?,
-    };
     Ok(Row {
         tree: digest.to_owned(),
         test: test.id(),
@@ -97,7 +89,7 @@ fn row(test: &Test, tree: &Path, digest: &str, file: &Path, limit: f64) -> Resul
         seconds: (end != End::TimedOut).then_some(seconds),
         // One that takes too long may pass or not: it is not used.
         passes: end != End::Failed,
-        reached,
+        reached: numbers.collect(),
     })
 }
 
