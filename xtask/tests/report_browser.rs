@@ -8,12 +8,13 @@
 
 #[path = "report_browser/browser.rs"]
 mod browser;
+#[path = "report_browser/driver.rs"]
+mod driver;
 
 use browser::{Browser, DESK, Screen, with_page};
 use serde_json::json;
 use std::fs;
 use std::path::{Path, PathBuf};
-use thirtyfour::prelude::*;
 
 /// A phone and a desk, by day and by night.
 const SCREENS: [Screen; 4] = [
@@ -55,13 +56,11 @@ fn nothing(found: &[String], what: &str) {
 
 #[test]
 fn the_console_is_quiet_and_nothing_is_requested() {
-    with_page(&page(), DESK, async |browser| {
-        let log = browser.web.get_log("browser").await?;
-        let log: Vec<String> = log.into_iter().map(|entry| entry.message).collect();
-        nothing(&log, "the console says");
+    with_page(&page(), DESK, |browser| {
+        nothing(&browser.log("browser"), "the console says");
         let mut requests = vec![];
-        for entry in browser.web.get_log("performance").await? {
-            let entry: serde_json::Value = serde_json::from_str(&entry.message).expect("JSON");
+        for entry in browser.log("performance") {
+            let entry: serde_json::Value = serde_json::from_str(&entry).expect("JSON");
             let message = &entry["message"];
             if message["method"] == "Network.requestWillBeSent" {
                 let url = &message["params"]["request"]["url"];
@@ -75,30 +74,25 @@ fn the_console_is_quiet_and_nothing_is_requested() {
         );
         requests.retain(|url| *url != page() && !url.starts_with("data:"));
         nothing(&requests, "requested");
-        Ok(())
     });
 }
 
 #[test]
 fn every_picture_decodes_and_has_a_text() {
-    with_page(&page(), DESK, async |browser| {
+    with_page(&page(), DESK, |browser| {
         let broken = browser.ask_for_list(
             "return [...document.images].filter(i => !i.complete || !i.naturalWidth || i.alt.length < 20) \
              .map(i => i.alt || 'no text');",
         );
-        nothing(
-            &broken.await?,
-            "pictures that do not decode or have no text",
-        );
-        let count = browser.ask("return document.images.length;").await?;
+        nothing(&broken, "pictures that do not decode or have no text");
+        let count = browser.ask("return document.images.length;");
         assert!(count.as_u64() >= Some(10), "{count} pictures");
-        Ok(())
     });
 }
 
 #[test]
 fn every_plot_has_marks_that_say_their_values() {
-    with_page(&page(), DESK, async |browser| {
+    with_page(&page(), DESK, |browser| {
         let poor = browser.ask_for_list(
             "return [...document.querySelectorAll('svg.plot')].filter(plot => {
                const titles = [...plot.querySelectorAll('g > title')];
@@ -107,66 +101,52 @@ fn every_plot_has_marks_that_say_their_values() {
                  || plot.querySelectorAll('circle, rect, path').length < titles.length / 2;
              }).map(plot => plot.getAttribute('aria-label') || 'a plot without a name');",
         );
-        nothing(&poor.await?, "plots with too few marks or titles");
-        let count = browser
-            .ask("return document.querySelectorAll('svg.plot.wide').length;")
-            .await?;
+        nothing(&poor, "plots with too few marks or titles");
+        let count = browser.ask("return document.querySelectorAll('svg.plot.wide').length;");
         assert!(count.as_u64() >= Some(10), "{count} plots");
-        Ok(())
     });
 }
 
 /// How much of the left picture is shown, in percent.
-async fn cut(browser: &Browser) -> WebDriverResult<f64> {
+fn cut(browser: &Browser) -> f64 {
     let cut =
         browser.ask("return document.querySelector('.slider').style.getPropertyValue('--cut');");
-    let cut = cut.await?;
     let cut = cut
         .as_str()
         .and_then(|cut| cut.strip_suffix('%'))
         .and_then(|cut| cut.parse().ok());
-    Ok(cut.expect("a share in percent"))
+    cut.expect("a share in percent")
 }
 
 #[test]
 fn the_slider_moves_by_mouse_and_by_keyboard() {
-    with_page(&page(), DESK, async |browser| {
-        let range = browser.web.find(By::Css(".slider input")).await?;
+    with_page(&page(), DESK, |browser| {
+        let range = browser.find(".slider input");
         let to_middle = "document.querySelector('.slider').scrollIntoView({ block: 'center' });";
-        browser.ask(to_middle).await?;
-        assert_eq!(cut(browser).await?, 50.0);
-        for (key, expected) in [(Key::Left, 49.0), (Key::Home, 0.0), (Key::End, 100.0)] {
-            range.send_keys(key).await?;
-            assert_eq!(cut(browser).await?, expected);
+        browser.ask(to_middle);
+        assert_eq!(cut(browser), 50.0);
+        // Left, Home and End.
+        for (key, expected) in [("\u{e012}", 49.0), ("\u{e011}", 0.0), ("\u{e010}", 100.0)] {
+            range.type_in(key);
+            assert_eq!(cut(browser), expected);
         }
-        let width = range.rect().await?.width as i64;
-        let drag = browser
-            .web
-            .action_chain()
-            .move_to_element_center(&range)
-            .click_and_hold();
-        drag.move_by_offset(-width / 4, 0)
-            .release()
-            .perform()
-            .await?;
-        let quarter = cut(browser).await?;
+        browser.drag(&range, -range.rect().width / 4.0);
+        let quarter = cut(browser);
         assert!((20.0..30.0).contains(&quarter), "{quarter}");
         // What the number says is what is seen.
         let clip = browser
             .ask("return getComputedStyle(document.querySelector('.slider .left')).clipPath;");
-        let clip = clip.await?;
         assert!(
             clip.as_str().is_some_and(|clip| clip.contains("inset")),
             "{clip}"
         );
-        Ok(())
     });
 }
 
 #[test]
 fn nothing_overflows_on_any_screen() {
     for screen in SCREENS {
-        with_page(&page(), screen, async |browser| {
+        with_page(&page(), screen, |browser| {
             let wide = browser.ask_for_list(
                 "const limit = document.documentElement.clientWidth + 0.5;
                  const found = document.documentElement.scrollWidth > limit ? ['the page'] : [];
@@ -178,55 +158,40 @@ fn nothing_overflows_on_any_screen() {
                  }
                  return found;",
             );
-            nothing(&wide.await?, &format!("overflows at {} px", screen.width));
-            screenshot(browser, screen).await
+            nothing(&wide, &format!("overflows at {} px", screen.width));
+            screenshot(browser, screen);
         });
     }
 }
 
 /// Leaves a picture of the whole page for a person to look at.
-async fn screenshot(browser: &Browser, screen: Screen) -> WebDriverResult<()> {
-    let height = browser
-        .ask("return document.documentElement.scrollHeight;")
-        .await?;
+fn screenshot(browser: &Browser, screen: Screen) {
+    let height = browser.ask("return document.documentElement.scrollHeight;");
     let height = height.as_u64().unwrap_or(0).min(30_000) as u32;
-    browser.show(Screen { height, ..screen }).await?;
+    browser.show(Screen { height, ..screen });
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("report");
-    fs::create_dir_all(&folder)?;
+    fs::create_dir_all(&folder).expect("a folder");
     let name = format!("{}-{}.png", screen.width, screen.scheme);
-    browser.web.screenshot(&folder.join(name)).await
+    fs::write(folder.join(name), browser.screenshot()).expect("a file");
 }
 
 #[test]
 fn without_a_script_both_pictures_stand_side_by_side() {
-    with_page("about:blank", DESK, async |browser| {
-        browser
-            .tell(
-                "Emulation.setScriptExecutionDisabled",
-                json!({ "value": true }),
-            )
-            .await?;
-        browser.web.goto(page()).await?;
+    with_page("about:blank", DESK, |browser| {
+        browser.tell(
+            "Emulation.setScriptExecutionDisabled",
+            &json!({ "value": true }),
+        );
+        browser.open(&page());
         for half in [".slider .left img", ".slider .right img"] {
-            let picture = browser.web.find(By::Css(half)).await?;
-            assert!(picture.is_displayed().await?, "{half}");
+            let picture = browser.find(half);
+            assert!(picture.is_displayed(), "{half}");
         }
-        let left = browser
-            .web
-            .find(By::Css(".slider .left"))
-            .await?
-            .rect()
-            .await?;
-        let right = browser
-            .web
-            .find(By::Css(".slider .right"))
-            .await?
-            .rect()
-            .await?;
+        let [left, right] =
+            [".slider .left", ".slider .right"].map(|half| browser.find(half).rect());
         assert!(left.x + left.width <= right.x + 1.0, "{left:?} {right:?}");
-        let range = browser.web.find(By::Css(".slider input")).await?;
-        assert!(!range.is_displayed().await?, "a slider that does nothing");
-        Ok(())
+        let range = browser.find(".slider input");
+        assert!(!range.is_displayed(), "a slider that does nothing");
     });
 }
 
@@ -238,22 +203,18 @@ fn axe_finds_no_violation() {
         return;
     };
     for screen in SCREENS {
-        with_page(&page(), screen, async |browser| {
-            browser.web.execute(axe.as_str(), vec![]).await?;
-            let answer = browser.web.execute_async(
+        with_page(&page(), screen, |browser| {
+            browser.ask(&axe);
+            let answer = browser.ask_later(
                 "const done = arguments[arguments.length - 1];
                  axe.run(document, { resultTypes: ['violations'] }).then(result => done(
                    { passes: result.passes.length, violations: result.violations.flatMap(rule =>
                      rule.nodes.map(node => rule.id + ': ' + node.target + ' ' + node.failureSummary)) }));",
-                vec![],
             );
-            let answer = answer.await?;
-            let answer = answer.json();
             assert!(answer["passes"].as_u64() > Some(20), "{answer}");
             let violations = answer["violations"].as_array().cloned().unwrap_or_default();
             let violations: Vec<String> = violations.iter().map(ToString::to_string).collect();
             nothing(&violations, &format!("axe at {screen:?}"));
-            Ok(())
         });
     }
 }
