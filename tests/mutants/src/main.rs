@@ -38,8 +38,8 @@ Examples, after cargo run --release --manifest-path tests/mutants/Cargo.toml --
 Exit status: 0 every change that could be tried is noticed; 1 some are not; 2 bad usage, or something
 failed.
 
-Building takes minutes, and the more memory the more mutants the named files have: name a few files at
-a time, kernels above all. It needs cargo-mutants (cargo install cargo-mutants) and Unix."
+Building takes minutes. Switches make kernels slow, and the tests that run them: try what survives again,
+in few files. It needs cargo-mutants (cargo install cargo-mutants) and Unix."
 )]
 struct Cli {
     /// Files or folders with mutants: how their paths begin, from the project's root
