@@ -229,13 +229,31 @@ fn right_pictures_conform_in_every_convention_and_format() {
     );
 }
 
-/// Both faults of at least nine pairs in ten are named.
+/// The formats in which pairs are judged.
+const FORMATS: [Format; 3] = [PNG, FINE, COARSE];
+const PNG: Format = Format::Png;
+const FINE: Format = Format::Jpeg(90, false);
+const COARSE: Format = Format::Jpeg(75, true);
+
+/// The pairs of which not both are named, and in which formats: docs/check.md says so.
+const NOT_NAMED: [(&str, &str, &[Format]); 9] = [
+    ("WRAPPED", "ACNE", &[COARSE]),
+    ("ACNE", "WRONG_POWER", &[FINE, COARSE]),
+    ("ACNE", "EXTRA_PI", &[FINE, COARSE]),
+    ("ACNE", "MIRRORED", &[FINE, COARSE]),
+    ("ACNE", "RED_BLUE_SWAPPED", &[FINE, COARSE]),
+    ("ACNE", "WRONG_COLOUR", &[FINE, COARSE]),
+    ("NO_FALLOFF", "GAMMA", &[PNG]),
+    ("NO_FALLOFF", "WRONG_COLOUR", &[PNG, FINE, COARSE]),
+    ("LINEAR_FALLOFF", "GAMMA", &[PNG]),
+];
+
+/// Both faults of a pair are named, but for those that are known; one of these that is named fails too.
 #[test]
 fn pairs_of_faults_are_named() {
-    let formats = [Format::Png, Format::Jpeg(90, false), Format::Jpeg(75, true)];
     let mut jobs = vec![];
     for (a, b, figure, naive) in variants::pairs(320, 213) {
-        jobs.extend(formats.map(|format| Job {
+        jobs.extend(FORMATS.map(|format| Job {
             codes: vec![a, b],
             figure,
             naive,
@@ -244,24 +262,25 @@ fn pairs_of_faults_are_named() {
         }));
     }
     if !is_full() {
-        jobs = jobs.into_iter().step_by(34).collect();
+        // A few of all, and acne that looks most like less light.
+        let is_hard = |job: &Job| job.codes == ["ACNE", "LINEAR_FALLOFF"] && job.format == FINE;
+        let numbered = jobs.into_iter().enumerate();
+        let some = numbered.filter(|(number, job)| number % 34 == 0 || is_hard(job));
+        jobs = some.map(|(_, job)| job).collect();
     }
     let found = judge(&jobs);
-    let mut missed = vec![];
+    let mut named = 0;
+    let mut unlike = vec![];
     for (job, found) in jobs.iter().zip(&found) {
-        if !job.codes.iter().all(|code| found.codes.contains(code)) {
-            missed.push(format!("{}: {}", job.name(), found.words()));
+        let is_named = job.codes.iter().all(|code| found.codes.contains(code));
+        let is_known = NOT_NAMED
+            .iter()
+            .any(|(a, b, formats)| job.codes == [*a, *b] && formats.contains(&job.format));
+        named += usize::from(is_named);
+        if is_named == is_known {
+            unlike.push(format!("{}: {}", job.name(), found.words()));
         }
     }
-    println!(
-        "{} of {} pairs: both named; not {missed:#?}",
-        jobs.len() - missed.len(),
-        jobs.len()
-    );
-    assert!(
-        10 * missed.len() <= jobs.len(),
-        "{} of {}: {missed:#?}",
-        missed.len(),
-        jobs.len()
-    );
+    println!("{named} of {} pairs: both named", jobs.len());
+    assert!(unlike.is_empty(), "not as docs/check.md says: {unlike:#?}");
 }
