@@ -4,6 +4,7 @@ use fearless_simd::{Simd, dispatch};
 use ombrage::*;
 use proptest::prelude::*;
 use std::fmt::Write;
+use std::mem::discriminant;
 use std::num::NonZero;
 
 /// Runs `$run::<L, f32>(token, level, ...)` and the same for `f64`, at every SIMD level there is.
@@ -245,6 +246,9 @@ fn levels_are_those_of_the_processor() {
         );
     }
     assert_eq!(Some(Level::best()), Level::available().next_back());
+    let best = Level::best().simd().as_ref().map(discriminant);
+    let processors = fearless_simd::Level::new();
+    assert_eq!(best, Some(discriminant(&processors)), "{processors:?}");
 }
 
 #[test]
