@@ -76,6 +76,7 @@ fn check_words<R: Lanes<Scalar: Float>>(token: R::Token) {
             check_word("sqrt", inputs, x.sqrt(), |a, _| Real::sqrt(a));
             check_word("trunc", inputs, x.trunc(), |a, _| Real::trunc(a));
             check_word("abs", inputs, x.abs(), |a, _| Real::abs(a));
+            check_word("binade", inputs, x.binade(), |a, _| Real::binade(a));
             check_word("step", inputs, x.step(y), Real::step);
             check_word("lt", inputs, flag(x.lt(y)), |a, b| truth(a < b));
             check_word("le", inputs, flag(x.le(y)), |a, b| truth(a <= b));
