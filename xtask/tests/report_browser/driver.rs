@@ -57,10 +57,10 @@ impl Drop for Driver {
     }
 }
 
-/// What errors say is in the answer too.
+/// What errors say is in the answer too. No proxy: the driver is on this machine.
 fn agent() -> Agent {
     let config = Agent::config_builder().http_status_as_error(false);
-    config.build().into()
+    config.proxy(None).build().into()
 }
 
 /// Sends a command and returns its value.
