@@ -46,8 +46,8 @@ fn first(mutant: u32) -> bool {
     is_on
 }
 
-/// Adds a number to the file, if there is one. A test must not fail because it cannot be written: what is not recorded
-/// counts as not reached, and is reported as not noticed.
+/// Adds a number to the file, if there is one. A test must not fail because it cannot be written: what is
+/// not recorded counts as not reached, and is reported as not noticed.
 fn record(mutant: u32) {
     if let Some(path) = env::var_os(REACHED)
         && let Ok(mut file) = OpenOptions::new().append(true).open(path)
